@@ -1,0 +1,60 @@
+#include "image/image.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "image/atomic_file.hpp"
+#include "image/bmp.hpp"
+#include "image/format.hpp"
+#include "image/input_file.hpp"
+#include "image/openimageio.hpp"
+#include "image/png.hpp"
+#include "image/size_limits.hpp"
+
+namespace trace {
+namespace {
+
+std::vector<std::uint8_t> encode(const Image& image, const Format& format, const std::string& extension) {
+  switch (format.codec) {
+    case Codec::png:
+      return encode_png(image);
+    case Codec::bmp:
+      return encode_bmp(image);
+    case Codec::openimageio:
+      break;
+  }
+  return encode_with_openimageio(image, format.name, extension);
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& path) {
+  InputFile file(path);
+  const auto format = format_of_content(file.first(magic_length), path.extension().string());
+  if (!format) throw ImageError("not a picture this program can read");
+  switch (format->codec) {
+    case Codec::png:
+      return read_png(file);
+    case Codec::bmp:
+      return read_bmp(file);
+    case Codec::openimageio:
+      break;
+  }
+  return read_with_openimageio(path, format->name);
+}
+
+void write_image(const std::filesystem::path& path, const Image& image) {
+  check_image(image);
+  const std::string extension = path.extension().string();
+  const auto format = format_of_extension(extension);
+  if (!format && extension.empty())
+    throw ImageError("the name has no extension that tells the type of picture");
+  if (!format) throw ImageError(fmt::format("cannot write pictures of type '{}'", extension));
+
+  AtomicFile file(path);  // before the work of encoding: it may well be that nothing can be written there
+  file.write(encode(image, *format, extension));
+  file.commit();
+}
+
+}  // namespace trace

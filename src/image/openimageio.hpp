@@ -1,0 +1,30 @@
+// The formats other than PNG and BMP, by OpenImageIO, which is loaded when first needed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/image.hpp"
+
+namespace trace {
+
+// Where to look for the module trace_openimageio.so, best first.
+using ModulePlaces = std::vector<std::filesystem::path>;
+
+// In the directory of the running program, and in ../lib/trace from there.
+ModulePlaces openimageio_places();
+
+// The picture in a file of the format called `format` ("JPEG"; for messages). Throws ImageError, also if the
+// module or OpenImageIO is not installed.
+Image read_with_openimageio(const std::filesystem::path& file, std::string_view format,
+                            const ModulePlaces& places = openimageio_places());
+
+// The bytes of a file in the format that `extension` (".jpg") stands for. Throws ImageError as above.
+std::vector<std::uint8_t> encode_with_openimageio(const Image& image, std::string_view format,
+                                                  const std::string& extension,
+                                                  const ModulePlaces& places = openimageio_places());
+
+}  // namespace trace

@@ -1,0 +1,20 @@
+// How large a picture may be. The limits keep a damaged or hostile file from exhausting the memory: the
+// largest picture takes 768 MiB.
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.hpp"
+
+namespace trace {
+
+inline constexpr std::int64_t max_side = 65536;  // pixels
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+
+// Throws ImageError unless 1 <= width, height <= max_side and width * height <= max_pixels.
+void check_size(std::int64_t width, std::int64_t height);
+
+// Throws ImageError unless the size is allowed and `rgb` holds exactly its pixels.
+void check_image(const Image& image);
+
+}  // namespace trace
