@@ -11,7 +11,7 @@ using namespace std::string_view_literals;
 
 struct Kind {
   Format format;
-  std::array<std::string_view, 5> extensions;  // to write by; the unused ones are empty
+  std::array<std::string_view, 3> extensions;  // to write by; the unused ones are empty
   std::array<std::string_view, 3> magic;       // '?' stands for any byte; the unused ones are empty
 };
 
@@ -24,10 +24,10 @@ constexpr auto kinds = std::to_array<Kind>({
     {{"Radiance HDR"}, {".hdr", ".rgbe"}, {"#?RADIANCE", "#?RGBE"}},
     {{"GIF"}, {".gif"}, {"GIF8"}},
     {{"WebP"}, {".webp"}, {"RIFF\?\?\?\?WEBP"}},
-    {{"JPEG 2000"}, {".jp2", ".j2k"}, {"\0\0\0\x0cjP  "sv, "\xff\x4f\xff\x51"}},
-    {{"HEIF"}, {".heic", ".heif", ".avif"}, {"\?\?\?\?ftyp"}},
-    {{"PNM"}, {".ppm", ".pgm", ".pbm", ".pnm"}, {}},
-    {{"PFM"}, {".pfm"}, {"PF\n", "Pf\n"}},
+    {{"JPEG 2000"}, {}, {"\0\0\0\x0cjP  "sv, "\xff\x4f\xff\x51"}},
+    {{"HEIF"}, {".heic", ".heif"}, {"\?\?\?\?ftyp"}},
+    {{"PNM"}, {".ppm", ".pnm"}, {}},
+    {{"PFM"}, {}, {"PF\n", "Pf\n"}},
     {{"DPX"}, {".dpx"}, {"SDPX", "XPDS"}},
     {{"SGI"}, {".sgi", ".rgb", ".bw"}, {"\x01\xda"}},
     {{"DDS"}, {}, {"DDS "}},

@@ -91,7 +91,9 @@ std::vector<std::uint8_t> encode_with_openimageio(const Image& image, std::strin
   if (!write(file.path().c_str(), extension.c_str(), image.width, image.height, image.rgb.data(),
              reason.data(), reason.size()))
     throw ImageError(fmt::format("the {} cannot be made: {}", format, reason.data()));
-  return file.bytes();
+  std::vector<std::uint8_t> bytes = file.bytes();
+  if (bytes.empty()) throw ImageError(fmt::format("the {} cannot be made", format));
+  return bytes;
 }
 
 }  // namespace trace
