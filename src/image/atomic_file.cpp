@@ -80,7 +80,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& target, Temporary temporary)
       if (descriptor_ < 0) fail(errno);
       return;
     }
-    if (access(target.c_str(), W_OK) != 0) fail(errno);
+    if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
   } else if (errno != ENOENT) {
     fail(errno);
   }

@@ -15,6 +15,15 @@
 namespace trace {
 namespace {
 
+Format output_format(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  const auto format = format_of_extension(extension);
+  if (!format && extension.empty())
+    throw ImageError("the name has no extension that tells the type of picture");
+  if (!format) throw ImageError(fmt::format("cannot write pictures of type '{}'", extension));
+  return *format;
+}
+
 std::vector<std::uint8_t> encode(const Image& image, const Format& format, const std::string& extension) {
   switch (format.codec) {
     case Codec::png:
@@ -44,16 +53,16 @@ Image read_image(const std::filesystem::path& path) {
   return read_with_openimageio(path, format->name);
 }
 
+void check_writable(const std::filesystem::path& path) {
+  output_format(path);
+  AtomicFile probe(path);
+}
+
 void write_image(const std::filesystem::path& path, const Image& image) {
   check_image(image);
-  const std::string extension = path.extension().string();
-  const auto format = format_of_extension(extension);
-  if (!format && extension.empty())
-    throw ImageError("the name has no extension that tells the type of picture");
-  if (!format) throw ImageError(fmt::format("cannot write pictures of type '{}'", extension));
-
+  const Format format = output_format(path);
   AtomicFile file(path);  // before the work of encoding: it may well be that nothing can be written there
-  file.write(encode(image, *format, extension));
+  file.write(encode(image, format, path.extension().string()));
   file.commit();
 }
 
