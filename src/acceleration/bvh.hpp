@@ -1,0 +1,119 @@
+// Bounding-volume hierarchy with four children a node, over any kind of item that has a box.
+//
+// It only rejects: every item whose box the ray may touch is handed to the caller, who decides with the exact
+// formulas. Boxes are 32-bit and rounded outward, and the ray's side of the test carries its own error bound
+// (below), so a hit that testing every item would find is never lost.
+#pragma once
+
+#include <immintrin.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geometry/bounds.hpp"
+
+namespace trace {
+
+struct alignas(64) BvhNode {
+  float low[3][4], high[3][4];  // axis, child; low > high where there is no child
+  std::uint32_t child[4];       // index of a node, or of the first item of a leaf
+  std::uint8_t count[4];        // items in the leaf; 0 for a node
+};
+
+struct Bvh {
+  std::vector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
+  std::vector<std::uint32_t> order;  // items in the order of the leaves
+};
+
+// Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007),
+// two children at a time, then collapsed to four. `max_leaf` (1 to 255) is the largest leaf wanted.
+Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf);
+
+// A binary tree of at most this depth; deeper ranges are halved by count, which adds at most 32 levels.
+inline constexpr int max_sah_depth = 64;
+inline constexpr int max_bvh_depth = max_sah_depth + 32;
+
+// The ray as the boxes see it.
+//
+// In exact arithmetic a slab is met at (plane - o) / d. Here o is rounded to float (error <= 2^-24 |o|) and the
+// difference and product round again. The planes are therefore moved apart by e = 2^-22 |o|, which covers the
+// first with room for the rounding of hits themselves (double, some 2^-50 |o|), and the inverse is made smaller
+// for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that are relative to
+// the distance. d = 0 gives an infinite inverse: the slab is then all or nothing, and 0 * inf = NaN, a ray within
+// a boundary plane, passes because the minimum and maximum below keep the other operand.
+struct BvhRay {
+  float near_origin[3], far_origin[3];
+  float near_inverse[3], far_inverse[3];
+  bool negative[3];
+
+  explicit BvhRay(const Ray& ray);
+};
+
+// A distance in double as an upper limit for boxes, which may be off by the relative error above.
+inline float upper_limit(double t) { return static_cast<float>(t * (1 + 0x1p-20)); }
+
+// Calls leaf(first, count, limit) for each leaf that the ray may touch within `limit`, near ones first as far as
+// boxes tell. `first` counts in Bvh::order. The call returns the limit from then on: unchanged, the t of a nearer
+// hit, or a negative number to end.
+template <class Leaf>
+void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
+  if (bvh.nodes.empty()) return;
+  struct Entry {
+    float t;
+    std::uint32_t index;
+    std::uint32_t count;
+  };
+  // A visit takes one entry and adds at most four.
+  std::array<Entry, 3 * max_bvh_depth + 4> stack;
+  std::size_t size = 0;
+  Entry entry{0, 0, 0};
+  float limit_f = upper_limit(limit);
+
+  const __m128 near_o[3] = {_mm_set1_ps(ray.near_origin[0]), _mm_set1_ps(ray.near_origin[1]),
+                            _mm_set1_ps(ray.near_origin[2])};
+  const __m128 far_o[3] = {_mm_set1_ps(ray.far_origin[0]), _mm_set1_ps(ray.far_origin[1]),
+                           _mm_set1_ps(ray.far_origin[2])};
+  const __m128 near_i[3] = {_mm_set1_ps(ray.near_inverse[0]), _mm_set1_ps(ray.near_inverse[1]),
+                            _mm_set1_ps(ray.near_inverse[2])};
+  const __m128 far_i[3] = {_mm_set1_ps(ray.far_inverse[0]), _mm_set1_ps(ray.far_inverse[1]),
+                           _mm_set1_ps(ray.far_inverse[2])};
+
+  for (;;) {
+    if (entry.count == 0) {
+      const BvhNode& node = bvh.nodes[entry.index];
+      __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit_f);
+      for (int axis = 0; axis < 3; ++axis) {
+        const float* near_plane = ray.negative[axis] ? node.high[axis] : node.low[axis];
+        const float* far_plane = ray.negative[axis] ? node.low[axis] : node.high[axis];
+        enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(near_plane), near_o[axis]), near_i[axis]), enter);
+        leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(far_plane), far_o[axis]), far_i[axis]), leave);
+      }
+      auto mask = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
+      alignas(16) float distance[4];
+      _mm_store_ps(distance, enter);
+      // Children go on the stack with the nearest on top.
+      const std::size_t base = size;
+      while (mask != 0) {
+        const int child = __builtin_ctz(mask);
+        mask &= mask - 1;
+        const Entry next{distance[child], node.child[child], node.count[child]};
+        std::size_t at = size++;
+        for (; at > base && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
+        stack[at] = next;
+      }
+    } else {
+      limit = leaf(entry.index, entry.count, limit);
+      if (limit < 0) return;
+      limit_f = upper_limit(limit);
+    }
+    do {
+      if (size == 0) return;
+      entry = stack[--size];
+    } while (entry.t > limit_f);
+  }
+}
+
+}  // namespace trace

@@ -1,0 +1,19 @@
+#include "acceleration/bvh.hpp"
+
+namespace trace {
+
+BvhRay::BvhRay(const Ray& ray) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction[axis];
+    const auto origin = static_cast<float>(ray.origin[axis]);
+    const float error = 0x1p-22f * std::abs(origin);
+    const auto inverse = static_cast<float>(1.0 / d);
+    negative[axis] = std::signbit(d);
+    near_origin[axis] = negative[axis] ? origin - error : origin + error;
+    far_origin[axis] = negative[axis] ? origin + error : origin - error;
+    near_inverse[axis] = inverse * (1 - 0x1p-21f);
+    far_inverse[axis] = inverse * (1 + 0x1p-21f);
+  }
+}
+
+}  // namespace trace

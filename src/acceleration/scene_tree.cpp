@@ -1,0 +1,92 @@
+#include "acceleration/scene_tree.hpp"
+
+namespace trace {
+namespace {
+
+constexpr std::uint32_t max_leaf = 2;
+
+// The world ray in the space of one object after another; objects of the same frame share the work.
+class FrameRays {
+ public:
+  FrameRays(const Scene& scene, const Ray& ray) : scene_(scene), world_(ray) {}
+
+  const ObjectRay& in(std::uint32_t frame) {
+    if (!current_ || frame_ != frame) {
+      current_.emplace(scene_.frames[frame], world_);
+      frame_ = frame;
+    }
+    return *current_;
+  }
+
+ private:
+  const Scene& scene_;
+  const Ray& world_;
+  std::optional<ObjectRay> current_;
+  std::uint32_t frame_ = 0;
+};
+
+}  // namespace
+
+SceneTree::SceneTree(const Scene& scene) : scene_(scene) {
+  std::vector<Bounds> boxes;
+  boxes.reserve(scene.objects.size());
+  for (const Object& object : scene.objects) boxes.push_back(object.bounds);
+  bvh_ = build_bvh(boxes, max_leaf);
+  meshes_.reserve(scene.meshes.size());
+  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry);
+}
+
+Hit SceneTree::closest(const Ray& ray, bool cull) const {
+  Hit best;
+  FrameRays rays(scene_, ray);
+  traverse(bvh_, BvhRay(ray), best.t, [&](std::uint32_t first, std::uint32_t count, double) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::uint32_t id = bvh_.order[i];
+      const Object& object = scene_.objects[id];
+      if (!hits_bounds(object.bounds, ray)) continue;
+      const ObjectRay& local = rays.in(object.frame);
+      LocalHit hit;
+      const bool found = std::visit(
+          [&](const auto& shape) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, MeshId>) {
+              return meshes_[shape.index].closest(local.ray, best.t * local.scale, cull, hit);
+            } else {
+              return shape.intersect(local.ray, hit);
+            }
+          },
+          object.shape);
+      if (!found) continue;
+      const double t = hit.t / local.scale;
+      if (t < best.t || (t == best.t && id < best.object)) best = {t, id, hit};
+    }
+    return best.t;
+  });
+  return best;
+}
+
+bool SceneTree::occluded(const Ray& ray, double limit) const {
+  bool found = false;
+  FrameRays rays(scene_, ray);
+  traverse(bvh_, BvhRay(ray), limit, [&](std::uint32_t first, std::uint32_t count, double current) {
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Object& object = scene_.objects[bvh_.order[i]];
+      if (!hits_bounds(object.bounds, ray)) continue;
+      const ObjectRay& local = rays.in(object.frame);
+      found = std::visit(
+          [&](const auto& shape) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, MeshId>) {
+              return meshes_[shape.index].occludes(local.ray, local.scale, limit);
+            } else {
+              LocalHit hit;
+              return shape.intersect(local.ray, hit) && hit.t / local.scale < limit;
+            }
+          },
+          object.shape);
+      if (found) return -1.0;
+    }
+    return current;
+  });
+  return found;
+}
+
+}  // namespace trace

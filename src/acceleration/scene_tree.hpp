@@ -1,0 +1,38 @@
+// Which object a ray hits: a hierarchy over the objects, and one in each mesh.
+#pragma once
+
+#include <vector>
+
+#include "acceleration/bvh.hpp"
+#include "acceleration/mesh_tree.hpp"
+#include "scene/scene.hpp"
+
+namespace trace {
+
+struct Hit {
+  double t = std::numeric_limits<double>::infinity();  // in the world
+  std::uint32_t object = 0;                            // index into Scene::objects
+  LocalHit local;
+
+  explicit operator bool() const { return t < std::numeric_limits<double>::infinity(); }
+};
+
+class SceneTree {
+ public:
+  // Refers to `scene`, which must outlive it.
+  explicit SceneTree(const Scene& scene);
+
+  // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen from
+  // behind are passed over.
+  Hit closest(const Ray& ray, bool cull) const;
+
+  // Whether anything is hit nearer than `limit`; no culling.
+  bool occluded(const Ray& ray, double limit) const;
+
+ private:
+  const Scene& scene_;
+  Bvh bvh_;
+  std::vector<MeshTree> meshes_;  // as Scene::meshes
+};
+
+}  // namespace trace

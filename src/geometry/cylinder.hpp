@@ -1,0 +1,20 @@
+// The cylinder x^2 + y^2 = 1, 0 <= z <= 1, with both caps.
+#pragma once
+
+#include "geometry/bounds.hpp"
+
+namespace trace {
+
+struct Cylinder {
+  Bounds bounds() const { return {Vec3(-1, -1, 0), Vec3(1, 1, 1)}; }
+
+  // The side where it is strictly nearer than the caps, else the caps. Normals point outward.
+  bool intersect(const Ray& ray, LocalHit& hit) const;
+
+ private:
+  // a t^2 + b t + c = 0 with a = dx^2 + dy^2; rays along the axis have no hit here.
+  bool intersect_side(const Ray& ray, LocalHit& hit) const;
+  bool intersect_caps(const Ray& ray, LocalHit& hit) const;
+};
+
+}  // namespace trace

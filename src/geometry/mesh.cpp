@@ -1,0 +1,46 @@
+#include "geometry/mesh.hpp"
+
+namespace trace {
+
+Triangle Mesh::triangle(std::uint32_t face) const {
+  const FaceCorners& f = faces[face];
+  const Vec3& a = points[f[0]];
+  return {a, points[f[1]] - a, points[f[2]] - a};
+}
+
+Bounds Mesh::bounds() const {
+  Bounds result;
+  for (const Vec3& p : points) result.add(p);
+  return result;
+}
+
+Vec3 Mesh::smooth_normal(std::uint32_t face, const Vec2& weights) const {
+  const FaceCorners& f = faces[face];
+  const double u = weights.x, v = weights.y;
+  return glm::normalize((1.0 - u - v) * normals[f[0]] + u * normals[f[1]] + v * normals[f[2]]);
+}
+
+void add_polygon(Mesh& mesh, const std::uint32_t* corners, std::uint32_t count) {
+  for (std::uint32_t k = 2; k < count; ++k) {
+    const FaceCorners face{corners[0], corners[k - 1], corners[k]};
+    const Vec3 &a = mesh.points[face[0]], &b = mesh.points[face[1]], &c = mesh.points[face[2]];
+    if (a != b && b != c && a != c) mesh.faces.push_back(face);
+  }
+}
+
+void generate_normals(Mesh& mesh) {
+  std::vector<std::uint32_t> face_count(mesh.points.size(), 0);
+  mesh.normals.resize(mesh.points.size(), Vec3(0));
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    const Vec3 normal = face_normal(mesh.triangle(face));
+    for (const std::uint32_t corner : mesh.faces[face]) {
+      mesh.normals[corner] += normal;
+      ++face_count[corner];
+    }
+  }
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    if (face_count[i] > 0) mesh.normals[i] /= static_cast<double>(face_count[i]);
+  }
+}
+
+}  // namespace trace

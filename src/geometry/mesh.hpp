@@ -1,0 +1,37 @@
+// Triangle meshes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/bounds.hpp"
+#include "geometry/triangle.hpp"
+
+namespace trace {
+
+using FaceCorners = std::array<std::uint32_t, 3>;
+
+// Points and, where it is smooth, a normal a point (as given, not of unit length). Faces are in file order;
+// polygons have been cut into fans and faces with two equal corners dropped.
+struct Mesh {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;  // empty or one a point
+  std::vector<FaceCorners> faces;
+
+  bool smooth() const { return !normals.empty(); }
+  Triangle triangle(std::uint32_t face) const;
+  Bounds bounds() const;  // of all points, used by a face or not
+
+  // Interpolated: n = normalize((1-u-v) n_a + u n_b + v n_c). Not finite where the sum is zero.
+  Vec3 smooth_normal(std::uint32_t face, const Vec2& weights) const;
+};
+
+// Appends the fan (v0, v[k-1], v[k]) of a polygon, leaving out faces with two corners at the same place.
+void add_polygon(Mesh& mesh, const std::uint32_t* corners, std::uint32_t count);
+
+// `gennormals`: the normal of a point becomes (its given normal, if any, + the sum of the unit normals of the
+// faces around it) / the number of those faces. A face without area makes the normals of its corners undefined.
+void generate_normals(Mesh& mesh);
+
+}  // namespace trace

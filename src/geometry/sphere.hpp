@@ -1,0 +1,16 @@
+// The unit sphere x^2 + y^2 + z^2 = 1.
+#pragma once
+
+#include "geometry/bounds.hpp"
+
+namespace trace {
+
+struct Sphere {
+  Bounds bounds() const { return {Vec3(-1), Vec3(1)}; }
+
+  // Nearest root of |o + t d|^2 = 1 beyond min_t, d of unit length: t = b -+ sqrt(b^2 - o.o + 1), b = -o.d.
+  // The normal points outward and has unit length.
+  bool intersect(const Ray& ray, LocalHit& hit) const;
+};
+
+}  // namespace trace

@@ -1,0 +1,66 @@
+#include "rendering/antialias.hpp"
+
+#include <array>
+
+#include "rendering/pixel.hpp"
+
+namespace trace {
+namespace {
+
+double distance(const std::uint8_t* a, const std::uint8_t* b) {
+  return glm::length(Rgb(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / 255.0);
+}
+
+constexpr std::array<std::pair<int, int>, 3> neighbours{{{1, 0}, {0, 1}, {1, 1}}};
+
+std::vector<std::uint8_t> mark(const Image& image, double threshold) {
+  std::vector<std::uint8_t> marks(image.rgb.size() / 3, 0);
+  const auto index = [&](int i, int j) {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(i);
+  };
+  for (int j = 0; j < image.height; ++j) {
+    for (int i = 0; i < image.width; ++i) {
+      for (const auto& [di, dj] : neighbours) {
+        if (i + di >= image.width || j + dj >= image.height) continue;
+        if (distance(pixel(image, i, j), pixel(image, i + di, j + dj)) > threshold) {
+          marks[index(i, j)] = marks[index(i + di, j + dj)] = 1;
+        }
+      }
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+void antialias(FrameRenderer& frame, Image& image) {
+  const int n = frame.options().antialiasing.supersamples;
+  const std::vector<std::uint8_t> marks = mark(image, frame.options().antialiasing.threshold * 0.001);
+  const double step_x = 1.0 / (static_cast<double>(image.width) * n);
+  const double step_y = 1.0 / (static_cast<double>(image.height) * n);
+
+  const auto refine = [&](const FrameRenderer::Sampler& sampler, int i, int j) {
+    std::uint8_t* p = pixel(image, i, j);
+    Rgb sum(0);
+    double x = i / static_cast<double>(image.width);
+    for (int a = 0; a < n; ++a, x += step_x) {
+      double y = j / static_cast<double>(image.height);
+      for (int b = 0; b < n; ++b, y += step_y) {
+        sum += a == 0 && b == 0 ? Rgb(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0) : clamped(sampler.at(x, y));
+      }
+    }
+    set_pixel(image, i, j, sum / static_cast<double>(n * n));
+  };
+  frame.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+    for (int j = y0; j < y1; ++j) {
+      for (int i = x0; i < x1; ++i) {
+        if (marks[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                  static_cast<std::size_t>(i)]) {
+          refine(sampler, i, j);
+        }
+      }
+    }
+  });
+}
+
+}  // namespace trace

@@ -1,0 +1,14 @@
+// Adaptive antialiasing as the course's settings mean it.
+#pragma once
+
+#include "image/image.hpp"
+#include "rendering/frame_renderer.hpp"
+
+namespace trace {
+
+// Marks both of two neighbouring pixels (right, above, right above) of the finished picture whose colours are
+// further apart than the threshold, then replaces each marked pixel by the mean of n x n samples. The sample at
+// the pixel's corner is taken from the picture as it is.
+void antialias(FrameRenderer& frame, Image& image);
+
+}  // namespace trace

@@ -1,0 +1,34 @@
+// What to render of a scene.
+#pragma once
+
+#include "shading/options.hpp"
+#include "shading/whitted.hpp"
+
+namespace trace {
+
+struct Antialiasing {
+  bool enabled = false;
+  int supersamples = 3;    // samples a pixel along each axis
+  double threshold = 100;  // thousandths; neighbours that differ by more are refined
+};
+
+struct BlockInterpolation {
+  double threshold = 0;  // thousandths; 0 traces every pixel
+  int size = 4;          // edge of a block in pixels
+};
+
+struct RenderOptions {
+  int width = 512;
+  int depth = 5;
+  int threads = 0;  // 0: as many as the machine has
+  ShadingOptions shading;
+  Antialiasing antialiasing;
+  BlockInterpolation blocks;
+};
+
+inline constexpr int max_width = 65'536;
+inline constexpr double max_pixels = 268'435'456;  // 2^28
+inline constexpr int max_supersamples = 64;
+inline constexpr int max_block_size = 4096;
+
+}  // namespace trace

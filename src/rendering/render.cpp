@@ -1,0 +1,58 @@
+#include "rendering/render.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/task_arena.h>
+
+#include "rendering/antialias.hpp"
+#include "rendering/blocks.hpp"
+#include "rendering/pixel.hpp"
+
+namespace trace {
+namespace {
+
+constexpr int tile_edge = 16;
+
+void render_pixels(FrameRenderer& frame, Image& image) {
+  frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+    for (int j = y0; j < y1; ++j) {
+      for (int i = x0; i < x1; ++i) set_pixel(image, i, j, sampler.pixel(i, j));
+    }
+  });
+}
+
+}  // namespace
+
+double picture_height(const Scene& scene, int width) {
+  return std::floor(scene.camera.picture_height(width));
+}
+
+Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& options, Progress& progress) {
+  const int height = static_cast<int>(picture_height(scene, options.width));
+  Rendered result;
+  result.image.width = options.width;
+  result.image.height = height;
+  result.image.rgb.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(height) * 3);
+
+  const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
+  progress.total = options.antialiasing.enabled ? 2 * pixels : pixels;
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    FrameRenderer frame(scene, tree, options, height, progress);
+    if (options.blocks.threshold > 0) {
+      render_blocks(frame, result.image);
+    } else {
+      render_pixels(frame, result.image);
+    }
+    if (options.antialiasing.enabled && options.antialiasing.supersamples > 1) {
+      antialias(frame, result.image);
+    }
+    result.rays = frame.counts();
+  });
+  return result;
+}
+
+}  // namespace trace

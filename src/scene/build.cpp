@@ -1,0 +1,248 @@
+#include "scene/build.hpp"
+
+#include <map>
+
+#include "scene/graph.hpp"
+#include "scene/material_resolver.hpp"
+
+namespace trace {
+namespace {
+
+Vec3 vector(const parser::Vector3& v) { return {v.value[0], v.value[1], v.value[2]}; }
+
+class SceneBuilder {
+ public:
+  SceneBuilder(parser::Scene& description, const parser::Source& source, parser::Diagnostics& diagnostics)
+      : description_(description), textures_(source.directory(), diagnostics), resolver_(textures_, diagnostics) {}
+
+  Scene build() {
+    for (const parser::Item& item : description_.items) {
+      std::visit([&](const auto& what) { add(what); }, item);
+    }
+    const SceneGraph graph = make_graph(description_);
+    for (const GraphObject& object : graph.objects) {
+      resolve_scopes(graph, object.scopes_before);
+      add_object(graph, object);
+    }
+    resolve_scopes(graph, graph.materials.size());  // for their errors
+    scene_.textures = textures_.take();
+    flatten_maps();
+    return std::move(scene_);
+  }
+
+ private:
+  // --- cameras and lights ---
+  void add(const parser::Camera& camera) {
+    if (camera.position) scene_.camera.eye = vector(*camera.position);
+    if (camera.fov) scene_.camera.set_fov(camera.fov->value);
+    if (camera.aspectratio) scene_.camera.aspect = camera.aspectratio->value;
+    if (camera.quaternion) {
+      const auto& q = camera.quaternion->value;
+      scene_.camera.set_quaternion(Vec4(q[0], q[1], q[2], q[3]));
+    }
+    if (camera.viewdir && camera.updir) scene_.camera.set_view(vector(*camera.viewdir), vector(*camera.updir));
+  }
+
+  void add(const parser::AmbientLight& light) { scene_.ambient += vector(light.color); }
+
+  void add(const parser::DirectionalLight& light) {
+    const Vec3 towards = -glm::normalize(vector(light.direction));
+    if (!is_finite(towards)) scene_.light_may_be_undefined = true;
+    scene_.lights.emplace_back(DirectionalLight{vector(light.color), towards});
+  }
+
+  void add(const parser::PointLight& light) {
+    PointLight result{vector(light.color), vector(light.position)};
+    if (light.constant) result.constant = static_cast<float>(light.constant->value);
+    if (light.linear) result.linear = static_cast<float>(light.linear->value);
+    if (light.quadratic) result.quadratic = static_cast<float>(light.quadratic->value);
+    scene_.lights.emplace_back(result);
+  }
+
+  void add(const parser::Material&) {}  // part of the graph
+  void add(parser::ElementId) {}        // part of the graph
+
+  // --- materials ---
+  struct ResolvedScope {
+    MappedMaterial material;
+    std::int64_t id = -1;  // in Scene::materials, once an object uses it
+  };
+
+  void resolve_scopes(const SceneGraph& graph, std::size_t count) {
+    while (scopes_.size() < count) {
+      const MaterialScope& scope = graph.materials[scopes_.size()];
+      scopes_.push_back({resolver_.resolve(*scope.material, inherited(scope.inherits).material)});
+    }
+  }
+
+  ResolvedScope& inherited(MaterialScopeId id) {
+    return id == default_material ? default_ : scopes_[static_cast<std::size_t>(id)];
+  }
+
+  std::uint32_t add_material(const MappedMaterial& material) {
+    scene_.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+  }
+
+  std::uint32_t material_of(const GraphObject& object) {
+    ResolvedScope& base = inherited(object.inherits);
+    const auto& own = object.primitive->materials;
+    if (own.empty()) {
+      if (base.id < 0) base.id = add_material(base.material);
+      return static_cast<std::uint32_t>(base.id);
+    }
+    // Each is resolved for its errors and its name; the last one counts.
+    MappedMaterial result;
+    for (const parser::Material& material : own) result = resolver_.resolve(material, base.material);
+    return add_material(result);
+  }
+
+  void note_transmission(const Material& material) {
+    if (!material.transmits()) return;
+    scene_.has_transmissive_objects = true;
+    const Rgb& kt = material.transmissive;
+    if (!(glm::all(glm::greaterThanEqual(kt, Rgb(0))) && glm::all(glm::lessThanEqual(kt, Rgb(1))))) {
+      scene_.light_may_be_undefined = true;
+    }
+  }
+
+  // Maps on surfaces without texture coordinates become their constant, once all textures are open.
+  void flatten_maps() {
+    std::map<std::uint32_t, std::uint32_t> flattened;
+    for (Object& object : scene_.objects) {
+      const MappedMaterial material = scene_.materials[object.material];
+      if (!material.has_maps() || std::holds_alternative<Box>(object.shape) ||
+          std::holds_alternative<Square>(object.shape)) {
+        continue;
+      }
+      auto [entry, is_new] = flattened.try_emplace(object.material, 0);
+      if (is_new) entry->second = add_material({at_lower_left(material, scene_.textures)});
+      object.material = entry->second;
+    }
+    for (auto& [mesh, materials] : vertex_materials_) {
+      for (const MappedMaterial& material : materials) {
+        scene_.meshes[mesh].materials.push_back(at_lower_left(material, scene_.textures));
+        note_transmission(scene_.meshes[mesh].materials.back());
+      }
+    }
+  }
+
+  // --- objects ---
+  void add_object(const SceneGraph& graph, const GraphObject& object) {
+    const std::uint32_t material = material_of(object);
+    std::optional<Shape> shape = std::visit([&](const auto& s) { return make_shape(s, object); },
+                                            object.primitive->shape);
+    if (!shape) return;
+    const std::int64_t frame = frame_of(graph, object.node);
+    if (frame < 0) return;
+    const Mat4& to_world = scene_.frames[static_cast<std::size_t>(frame)].to_world;
+    const Bounds bounds = transformed(local_bounds(*shape), to_world);
+    if (bounds.empty()) return;
+    note_transmission(scene_.materials[material].values);
+    scene_.objects.push_back({*shape, bounds, static_cast<std::uint32_t>(frame), material});
+  }
+
+  std::optional<Shape> make_shape(const parser::Sphere&, const GraphObject&) { return Sphere{}; }
+  std::optional<Shape> make_shape(const parser::Box&, const GraphObject&) { return Box{}; }
+  std::optional<Shape> make_shape(const parser::Square&, const GraphObject&) { return Square{}; }
+  std::optional<Shape> make_shape(const parser::Cylinder&, const GraphObject&) { return Cylinder{}; }
+
+  std::optional<Shape> make_shape(const parser::Cone& cone, const GraphObject&) {
+    return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1, cone.top_radius ? cone.top_radius->value : 0,
+                cone.height ? cone.height->value : 1, cone.capped ? cone.capped->value : true);
+  }
+
+  std::optional<Shape> make_shape(const parser::MeshId& id, const GraphObject& object) {
+    parser::Mesh& said = description_.meshes[id.index];
+    std::vector<MappedMaterial> materials;
+    if (!said.vertex_materials.empty()) {
+      const std::size_t before = object.primitive->materials_before_list;
+      const MappedMaterial& base = inherited(object.inherits).material;
+      const MappedMaterial own =
+          before == 0 ? base : resolver_.resolve(object.primitive->materials[before - 1], base);
+      materials.reserve(said.vertex_materials.size());
+      for (const parser::Material& m : said.vertex_materials) materials.push_back(resolver_.resolve(m, own));
+    }
+    Mesh mesh = take_mesh(said);
+    if (mesh.faces.empty()) return std::nullopt;
+    const auto index = static_cast<std::uint32_t>(scene_.meshes.size());
+    scene_.meshes.push_back({std::move(mesh), {}});
+    if (!materials.empty()) vertex_materials_[index] = std::move(materials);
+    return MeshId{index};
+  }
+
+  static std::vector<Vec3> take_vectors(std::vector<double>& numbers) {
+    std::vector<Vec3> result;
+    result.reserve(numbers.size() / 3);
+    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+      result.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    }
+    std::vector<double>().swap(numbers);
+    return result;
+  }
+
+  static Mesh take_mesh(parser::Mesh& said) {
+    Mesh mesh;
+    mesh.points = take_vectors(said.points);
+    mesh.normals = take_vectors(said.normals);
+    const bool triangles = said.face_sizes.empty();
+    const std::size_t count = triangles ? said.corners.size() / 3 : said.face_sizes.size();
+    mesh.faces.reserve(said.corners.size() - 2 * count);
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < count; ++face) {
+      const std::uint32_t size = triangles ? 3 : said.face_sizes[face];
+      add_polygon(mesh, &said.corners[first], size);
+      first += size;
+    }
+    std::vector<std::uint32_t>().swap(said.corners);
+    std::vector<std::uint32_t>().swap(said.face_sizes);
+    if (said.generate_normals) generate_normals(mesh);
+    return mesh;
+  }
+
+  Bounds local_bounds(const Shape& shape) const {
+    if (const auto* mesh = std::get_if<MeshId>(&shape)) return scene_.meshes[mesh->index].geometry.bounds();
+    return std::visit(
+        [](const auto& s) -> Bounds {
+          if constexpr (requires { s.bounds(); }) return s.bounds();
+          return {};
+        },
+        shape);
+  }
+
+  // -1 where the place has no inverse.
+  std::int64_t frame_of(const SceneGraph& graph, std::uint32_t node) {
+    auto [entry, is_new] = frames_.try_emplace(node, -1);
+    if (is_new) {
+      const Frame frame(graph.nodes[node].to_world);
+      if (frame.invertible()) {
+        scene_.frames.push_back(frame);
+        entry->second = static_cast<std::int64_t>(scene_.frames.size() - 1);
+      }
+    }
+    return entry->second;
+  }
+
+  parser::Scene& description_;
+  TextureCache textures_;
+  MaterialResolver resolver_;
+  Scene scene_;
+  ResolvedScope default_;
+  std::vector<ResolvedScope> scopes_;
+  std::map<std::uint32_t, std::int64_t> frames_;
+  std::map<std::uint32_t, std::vector<MappedMaterial>> vertex_materials_;
+};
+
+}  // namespace
+
+std::size_t Scene::triangle_count() const {
+  std::size_t count = 0;
+  for (const SceneMesh& mesh : meshes) count += mesh.geometry.faces.size();
+  return count;
+}
+
+Scene build_scene(parser::Scene description, const parser::Source& source, parser::Diagnostics& diagnostics) {
+  return SceneBuilder(description, source, diagnostics).build();
+}
+
+}  // namespace trace

@@ -1,0 +1,22 @@
+#include "scene/camera.hpp"
+
+#include <numbers>
+
+namespace trace {
+
+void Camera::set_fov(double degrees) { window_height = 2 * std::tan(degrees * std::numbers::pi / 360); }
+
+void Camera::set_view(const Vec3& direction, const Vec3& up_direction) {
+  look = direction;
+  up = up_direction;
+  right = glm::cross(up_direction, -direction);
+}
+
+void Camera::set_quaternion(const Vec4& q) {
+  const double x = q.x, y = q.y, z = q.z, w = q.w;
+  right = Vec3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w));
+  up = Vec3(2 * (x * y - z * w), 1 - 2 * (z * z + x * x), 2 * (y * z + x * w));
+  look = -Vec3(2 * (z * x + y * w), 2 * (y * z - x * w), 1 - 2 * (y * y + x * x));
+}
+
+}  // namespace trace

@@ -1,0 +1,43 @@
+// The pinhole camera.
+#pragma once
+
+#include "geometry/ray.hpp"
+
+namespace trace {
+
+// As the language leaves it: at the origin, looking along -z, and the window one unit high at distance one. The
+// vectors are used as the scene gives them, neither normalised nor made orthogonal.
+struct Camera {
+  Vec3 eye{0};
+  Vec3 look{0, 0, -1};
+  Vec3 right{1, 0, 0};
+  Vec3 up{0, 1, 0};
+  double window_height = 1;
+  double aspect = 1;  // width / height
+
+  void set_fov(double degrees);                          // vertical
+  void set_view(const Vec3& direction, const Vec3& up_direction);
+  void set_quaternion(const Vec4& q);                    // x, y, z, w; not normalised
+
+  // Rows of a picture that is `width` wide; not limited to what fits an int.
+  double picture_height(int width) const { return width / aspect + 0.5; }
+};
+
+// The rays of one picture: (0, 0) is the lower left corner, (1, 1) the upper right.
+class RayCaster {
+ public:
+  explicit RayCaster(const Camera& camera)
+      : eye_(camera.eye),
+        look_(camera.look),
+        u_(camera.right * camera.window_height * camera.aspect),
+        v_(camera.up * camera.window_height) {}
+
+  Ray cast(double x, double y) const {
+    return {eye_, glm::normalize(look_ + (x - 0.5) * u_ + (y - 0.5) * v_)};
+  }
+
+ private:
+  Vec3 eye_, look_, u_, v_;
+};
+
+}  // namespace trace

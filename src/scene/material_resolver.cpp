@@ -1,0 +1,90 @@
+#include "scene/material_resolver.hpp"
+
+#include <fmt/format.h>
+
+namespace trace {
+namespace {
+
+using parser::Parameter;
+
+struct ColorSlot {
+  Rgb* value;
+  TextureId* map;  // nullptr where a map has no effect
+  const char* name;
+};
+
+ColorSlot color_slot(MappedMaterial& m, Parameter parameter) {
+  switch (parameter) {
+    case Parameter::emissive: return {&m.values.emissive, &m.emissive, "emissive"};
+    case Parameter::ambient: return {&m.values.ambient, &m.ambient, "ambient"};
+    case Parameter::diffuse: return {&m.values.diffuse, &m.diffuse, "diffuse"};
+    case Parameter::specular: return {&m.values.specular, &m.specular, "specular"};
+    case Parameter::reflective: return {&m.values.reflective, nullptr, "reflective"};
+    case Parameter::transmissive: return {&m.values.transmissive, nullptr, "transmissive"};
+    case Parameter::index: return {&m.values.index, &m.index, "index"};
+    case Parameter::shininess: break;
+  }
+  return {&m.values.shininess, &m.shininess, "shininess"};
+}
+
+}  // namespace
+
+MappedMaterial MaterialResolver::resolve(const parser::Material& material, const MappedMaterial& inherited) {
+  if (const auto* name = std::get_if<parser::Name>(&material.value)) {
+    const auto found = named_.find(name->value);
+    return found == named_.end() ? inherited : found->second;  // the parser has refused unknown names
+  }
+  const auto& block = std::get<parser::MaterialBlock>(material.value);
+  MappedMaterial result = inherited;
+  for (const parser::MaterialAssignment& assignment : block.assignments) assign(result, assignment);
+  if (block.name) named_[block.name->value] = result;
+  return result;
+}
+
+void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
+  const ColorSlot slot = color_slot(result, assignment.parameter);
+  if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
+    const bool number = assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
+    const TextureId id = textures_.open(map->file, assignment.value_span, number);
+    if (slot.map) {
+      *slot.map = id;
+      return;
+    }
+    *slot.value = Rgb(0);
+    diagnostics_.warning(assignment.span,
+                         fmt::format("a map for '{}' has no effect: the surface stays {}", slot.name,
+                                     assignment.parameter == Parameter::reflective ? "without reflection"
+                                                                                   : "opaque"));
+    return;
+  }
+  if (slot.map) *slot.map = no_texture;
+  if (const auto* number = std::get_if<double>(&assignment.value)) {
+    *slot.value = Rgb(*number);
+  } else {
+    const auto& color = std::get<std::array<double, 3>>(assignment.value);
+    *slot.value = Rgb(color[0], color[1], color[2]);
+  }
+}
+
+Material at_point(const MappedMaterial& material, const std::vector<Texture>& textures, const Vec2& uv) {
+  Material result = material.values;
+  const auto take = [&](Rgb& value, TextureId map) {
+    if (map >= 0) value = textures[static_cast<std::size_t>(map)].sample(uv);
+  };
+  take(result.emissive, material.emissive);
+  take(result.ambient, material.ambient);
+  take(result.diffuse, material.diffuse);
+  take(result.specular, material.specular);
+  take(result.index, material.index);
+  if (material.shininess >= 0) {
+    take(result.shininess, material.shininess);
+    result.shininess *= 128.0;  // a map holds 0 to 1, shininess runs to 128
+  }
+  return result;
+}
+
+Material at_lower_left(const MappedMaterial& material, const std::vector<Texture>& textures) {
+  return at_point(material, textures, Vec2(0));
+}
+
+}  // namespace trace

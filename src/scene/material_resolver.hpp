@@ -1,0 +1,35 @@
+// Inheritance and names of materials: from what the file says to complete materials.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scene/graph.hpp"
+#include "scene/texture_cache.hpp"
+
+namespace trace {
+
+class MaterialResolver {
+ public:
+  MaterialResolver(TextureCache& textures, parser::Diagnostics& diagnostics)
+      : textures_(textures), diagnostics_(diagnostics) {}
+
+  // A block on top of what it inherits, or the complete material a name stands for. Call in file order: a block
+  // with a name registers its result for those that follow.
+  MappedMaterial resolve(const parser::Material& material, const MappedMaterial& inherited);
+
+ private:
+  void assign(MappedMaterial& result, const parser::MaterialAssignment& assignment);
+
+  TextureCache& textures_;
+  parser::Diagnostics& diagnostics_;
+  std::map<std::string, MappedMaterial> named_;
+};
+
+// For surfaces without texture coordinates, which show the lower left texel of a map everywhere.
+Material at_lower_left(const MappedMaterial& material, const std::vector<Texture>& textures);
+
+// The values at one point of a textured surface.
+Material at_point(const MappedMaterial& material, const std::vector<Texture>& textures, const Vec2& uv);
+
+}  // namespace trace

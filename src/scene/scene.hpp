@@ -1,0 +1,64 @@
+// The runtime scene: everything composed, inherited and resolved, ready to be searched and shaded.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "geometry/box.hpp"
+#include "geometry/cone.hpp"
+#include "geometry/cylinder.hpp"
+#include "geometry/frame.hpp"
+#include "geometry/mesh.hpp"
+#include "geometry/sphere.hpp"
+#include "geometry/square.hpp"
+#include "scene/camera.hpp"
+#include "scene/cube_map.hpp"
+#include "scene/light.hpp"
+#include "scene/material.hpp"
+#include "scene/texture.hpp"
+
+namespace trace {
+
+// Index into Scene::meshes.
+struct MeshId {
+  std::uint32_t index;
+};
+
+using Shape = std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId>;
+
+struct Object {
+  Shape shape;
+  Bounds bounds;           // in the world
+  std::uint32_t frame;     // index into Scene::frames
+  std::uint32_t material;  // index into Scene::materials
+};
+
+// A mesh and, where it has `materials`, one a point.
+struct SceneMesh {
+  Mesh geometry;
+  std::vector<Material> materials;
+};
+
+// Objects are in file order: of two hits at the same t the earlier object's counts.
+struct Scene {
+  Camera camera;
+  Rgb ambient{0};  // all ambient lights together
+  std::vector<Light> lights;
+  std::vector<Object> objects;
+  std::vector<Frame> frames;
+  std::vector<SceneMesh> meshes;
+  std::vector<MappedMaterial> materials;
+  std::vector<Texture> textures;
+  std::optional<CubeMap> cube_map;
+
+  // Whether any light can pass any object, so that shadows have to be followed through glass.
+  bool has_transmissive_objects = false;
+  // Whether a light's share can be infinite or undefined (a light without a direction, transmission that is negative
+  // or above one), so that a surface that reflects nothing of it may still turn black.
+  bool light_may_be_undefined = false;
+
+  std::size_t triangle_count() const;
+};
+
+}  // namespace trace

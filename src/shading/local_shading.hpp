@@ -1,0 +1,14 @@
+// Light that reaches a surface directly: emission, ambient light, and Phong's model for each light.
+#pragma once
+
+#include "shading/shadow.hpp"
+
+namespace trace {
+
+// SEMANTICS section 7. `toward_surface` is the direction of the ray that sees the surface. An opaque surface seen
+// from its back has only emission and ambient light; a transmissive one is shaded with its normal turned to the
+// viewer. The surface's normal must be finite.
+Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, const Surface& surface,
+                  const Vec3& toward_surface, RayCounts& counts);
+
+}  // namespace trace

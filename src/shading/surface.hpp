@@ -1,0 +1,29 @@
+// The surface at a hit: where, which way it faces, what it is made of.
+#pragma once
+
+#include "acceleration/scene_tree.hpp"
+
+namespace trace {
+
+class Surface {
+ public:
+  // `smooth`: use the vertex normals of meshes that have them.
+  Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth);
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  const Vec3& point() const { return point_; }
+  // Unit length, as the primitive delivers it: outward, or whichever way a smooth mesh says. Not finite where a
+  // mesh gives no direction (vertex normals that cancel, generated normals of a face without area).
+  const Vec3& normal() const { return normal_; }
+  const Material& material() const { return *material_; }
+
+ private:
+  Vec3 point_;
+  Vec3 normal_;
+  Material own_;              // filled where the material varies over the surface
+  const Material* material_;  // own_ or the scene's
+};
+
+
+}  // namespace trace

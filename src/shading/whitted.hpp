@@ -1,0 +1,41 @@
+// The ray tree: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980, with the course's
+// rules for what is attenuated where (SEMANTICS section 6).
+#pragma once
+
+#include "shading/options.hpp"
+#include "shading/ray_counts.hpp"
+#include "shading/surface.hpp"
+
+namespace trace {
+
+// Deepest ray tree; bounds the recursion.
+inline constexpr int max_depth = 1000;
+
+class WhittedTracer {
+ public:
+  // Refers to its arguments, which must outlive it. `counts` is for one thread.
+  WhittedTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, RayCounts& counts)
+      : scene_(scene), tree_(tree), options_(options), counts_(counts) {}
+
+  // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; a channel may
+  // be NaN, which stands for black.
+  Rgb trace(const Ray& ray, int depth) const;
+
+ private:
+  enum class Kind { visibility, reflection, refraction };
+  struct Result {
+    Rgb color;
+    double t;  // of the hit; -1 for none, which attenuation uses as it is
+  };
+
+  Result trace(const Ray& ray, Kind kind, int depth) const;
+  Rgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth) const;
+  Rgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth) const;
+
+  const Scene& scene_;
+  const SceneTree& tree_;
+  const ShadingOptions& options_;
+  RayCounts& counts_;
+};
+
+}  // namespace trace

@@ -1,0 +1,59 @@
+#include "tools/trace/scene_loader.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "parser/parse.hpp"
+#include "rendering/options.hpp"
+#include "rendering/render.hpp"
+#include "scene/build.hpp"
+
+namespace trace {
+namespace {
+
+// The place that decides the picture's shape: the last aspectratio of the file.
+parser::Span aspect_span(const parser::Scene& description) {
+  parser::Span span;
+  for (const parser::Item& item : description.items) {
+    const auto* camera = std::get_if<parser::Camera>(&item);
+    if (camera && camera->aspectratio) span = camera->aspectratio->span;
+  }
+  return span;
+}
+
+void check_size(const Scene& scene, int width, parser::Span span, parser::Diagnostics& diagnostics) {
+  const double height = picture_height(scene, width);
+  if (!(height >= 1)) {
+    diagnostics.error(span, fmt::format("a picture {} pixels wide would have no rows at this aspect ratio", width));
+  } else if (!(height * width <= max_pixels)) {
+    diagnostics.error(span,
+                      fmt::format("a picture {} pixels wide would be {:.0f} pixels high at this aspect ratio; the "
+                                  "limit is {:.0f} pixels in all",
+                                  width, height, max_pixels));
+  }
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& file, int width) {
+  std::optional<parser::Source> source;
+  try {
+    source = parser::Source::from_file(file);
+  } catch (const std::runtime_error& e) {
+    return {std::nullopt, fmt::format("trace: error: {}\n", e.what())};
+  }
+  LoadedScene result;
+  parser::Diagnostics diagnostics;
+  parser::Scene description = parser::parse(*source, diagnostics);
+  if (!diagnostics.has_errors()) {
+    const parser::Span span = aspect_span(description);
+    result.scene = build_scene(std::move(description), *source, diagnostics);
+    check_size(*result.scene, width, span, diagnostics);
+  }
+  if (diagnostics.has_errors()) result.scene.reset();
+  result.messages = parser::render(*source, diagnostics);
+  return result;
+}
+
+}  // namespace trace

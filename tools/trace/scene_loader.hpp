@@ -1,0 +1,19 @@
+// From a file's name to a scene ready to render, or to the messages that say why not.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace trace {
+
+struct LoadedScene {
+  std::optional<Scene> scene;  // empty where there are errors
+  std::string messages;        // errors and warnings with their places; may be empty
+};
+
+// `width` is that of the picture, whose height the scene decides and which may be out of bounds.
+LoadedScene load_scene(const std::string& file, int width);
+
+}  // namespace trace

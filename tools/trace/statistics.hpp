@@ -1,0 +1,27 @@
+// What `--stats` reports: what the scene holds, rays by kind, and the time of each stage.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string>
+
+#include "rendering/render.hpp"
+
+namespace trace {
+
+enum class Stage { start, load, build, render, write };
+
+class Statistics {
+ public:
+  // Ends a stage: the time since the last call, or since construction, is that stage's.
+  void lap(Stage stage);
+
+  std::string report(const Scene& scene, const Rendered& rendered) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+  std::array<double, 5> milliseconds_{};
+};
+
+}  // namespace trace
