@@ -1,12 +1,13 @@
 // What a scene file says, as plain values with their places: the parser's result and the only thing that
 // `src/` takes from it. It holds no geometry: nothing is composed, inherited, resolved or opened here.
 //
-// Order is kept where the language gives it a meaning: a `material =` affects what follows it. Elements live in
-// one flat array and refer to one another by index, so that a scene nested 100 000 deep is built, walked and
-// destroyed without recursion.
+// Order is kept where the language gives it a meaning: a `material =` affects what follows it. Elements live
+// in one flat array and refer to one another by index, so that a scene nested 100 000 deep is built, walked
+// and destroyed without recursion.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,11 +29,18 @@ using Vector3 = Located<std::array<double, 3>>;
 using Vector4 = Located<std::array<double, 4>>;
 using Name = Located<std::string>;
 
-// --- materials ------------------------------------------------------------------------------------------------
+// --- materials
+// ------------------------------------------------------------------------------------------------
 
 enum class Parameter : std::uint8_t {
-  emissive, ambient, diffuse, specular, reflective, transmissive,  // colours
-  index, shininess                                                 // numbers
+  emissive,
+  ambient,
+  diffuse,
+  specular,
+  reflective,
+  transmissive,  // colours
+  index,
+  shininess  // numbers
 };
 
 struct MapFile {
@@ -48,8 +56,8 @@ struct MaterialAssignment {
   Span value_span;  // its right-hand side
 };
 
-// `{ ... }`: in file order; a later assignment of a parameter replaces an earlier one; what is not assigned is
-// inherited where the material is used.
+// `{ ... }`: in file order; a later assignment of a parameter replaces an earlier one; what is not assigned
+// is inherited where the material is used.
 struct MaterialBlock {
   std::vector<MaterialAssignment> assignments;
   std::optional<Name> name;  // registers the block under this name
@@ -61,7 +69,8 @@ struct Material {
   Span span;
 };
 
-// --- cameras and lights ---------------------------------------------------------------------------------------
+// --- cameras and lights
+// ---------------------------------------------------------------------------------------
 
 // One camera block. Blocks accumulate: an attribute of a later block replaces that of an earlier one.
 // viewdir and updir are both given or both absent.
@@ -88,26 +97,37 @@ struct PointLight {
   Span span;
 };
 
-// --- elements -------------------------------------------------------------------------------------------------
+// --- elements
+// -------------------------------------------------------------------------------------------------
 
-// One list `points = (...)`, `normals = (...)`, ... of a mesh: entries [first, first + count) of the flat array.
-// The place of one entry is found by reading the list's text again (parser/list_reader.hpp); errors are rare.
+// One list `points = (...)`, `normals = (...)`, ... of a mesh: entries [first, first + count) of the flat
+// array. An entry is a number of `points` and `normals` (three a point), an index of `corners`, a material.
+// The place of one number is found by reading the list's text again (number_span in parser/list_reader.hpp);
+// errors are rare.
 struct ListSpan {
   std::uint64_t first = 0, count = 0;
   Span span;  // from '(' to ')'
 };
 
-// trimesh and polymesh. All indices are checked: every corner is less than the number of points, every face has
-// at least three corners, normals and materials are as many as the points or none.
+// One list `materials = (...)` of a mesh: its entries inherit from the mesh's material as it stood there,
+// which is the last of the first `materials_before` of Primitive::materials.
+struct MaterialList {
+  ListSpan list;  // entries of Mesh::vertex_materials
+  std::size_t materials_before = 0;
+};
+
+// trimesh and polymesh. All indices are checked: every corner is less than the number of points, every face
+// has at least three corners, normals and materials are as many as the points or none.
 struct Mesh {
-  std::vector<double> points;           // 3 numbers a point
-  std::vector<double> normals;          // 3 numbers a normal
-  std::vector<std::uint32_t> corners;   // indices into points, face after face
+  std::vector<double> points;             // 3 numbers a point
+  std::vector<double> normals;            // 3 numbers a normal
+  std::vector<std::uint32_t> corners;     // indices into points, face after face
   std::vector<std::uint32_t> face_sizes;  // corners of each face; empty when every face is a triangle
   std::vector<Material> vertex_materials;
   bool generate_normals = false;
 
   std::vector<ListSpan> point_lists, normal_lists, face_lists;
+  std::vector<MaterialList> material_lists;
 };
 
 struct Cone {
@@ -125,8 +145,9 @@ struct Box {};
 struct Square {};
 struct Cylinder {};
 
-// A mesh's vertex materials inherit from the material that stood at that point of the block: where a `material =`
-// follows the list inside the block, `materials_before_list` is how many of `materials` precede it.
+// A mesh's vertex materials inherit from the material that stood at that point of the block: where a
+// `material =` follows the list inside the block, `materials_before_list` is how many of `materials` precede
+// it (the first, where there are several lists; Mesh::material_lists has them all).
 struct Primitive {
   std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId> shape;
   std::vector<Material> materials;  // each `material =` in order; the last one counts
@@ -162,7 +183,8 @@ struct Element {
   ElementId next_sibling = no_element;
 };
 
-// --- the scene ------------------------------------------------------------------------------------------------
+// --- the scene
+// ------------------------------------------------------------------------------------------------
 
 // What stands at the top level, in file order. An ElementId is the root of a tree in `elements`.
 using Item = std::variant<Camera, AmbientLight, DirectionalLight, PointLight, Material, ElementId>;

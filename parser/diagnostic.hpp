@@ -32,8 +32,8 @@ struct Diagnostic {
   std::vector<Note> notes;
 };
 
-// Collects what is found about one source, in the order it is found. At most `limit` errors are kept; the rest
-// are only counted, and the report says how many there were.
+// Collects what is found about one source, in the order it is found. At most `limit` errors are kept; the
+// rest are only counted, and the report says how many there were.
 class Diagnostics {
  public:
   static constexpr std::size_t limit = 20;

@@ -1,9 +1,11 @@
 // The text of one scene file, and the places in it.
 //
 // A place is a pair of byte offsets; lines and columns are worked out only when a message needs them, so the
-// scanner never counts. Lines end at LF, CR LF or a lone CR. Lines and columns count from 1; columns count bytes.
+// scanner never counts. Lines end at LF, CR LF or a lone CR. Lines and columns count from 1; columns count
+// bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -20,6 +22,10 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
+// So many NUL bytes follow the text of every Source, so that a reader may look ahead without asking for the
+// end.
+inline constexpr std::size_t text_padding = 16;
+
 struct Position {
   std::uint64_t line = 1;
   std::uint64_t column = 1;
@@ -28,7 +34,8 @@ struct Position {
 class Source {
  public:
   // Reads the whole file (mapped where the system can). "-" reads standard input.
-  // Throws std::runtime_error whose text names the file and the reason (missing, a directory, over 4 GiB, ...).
+  // Throws std::runtime_error whose text names the file and the reason (missing, a directory, over 4 GiB,
+  // ...).
   static Source from_file(const std::string& path);
   // A scene given as text; `name` stands for the file in messages.
   static Source from_text(std::string name, std::string text);
@@ -38,7 +45,7 @@ class Source {
   ~Source();
 
   const std::string& name() const;  // as the user wrote it; "<stdin>" for standard input
-  std::string_view text() const;
+  std::string_view text() const;    // text_padding NUL bytes follow it
   // The folder that relative names in the scene start from ("." for text and standard input).
   std::filesystem::path directory() const;
 

@@ -1,0 +1,105 @@
+// What the grammar has read becomes the Scene, piece by piece; what is wrong beyond syntax is reported here.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "parser/description.hpp"
+#include "parser/diagnostic.hpp"
+#include "parser/list_reader.hpp"
+#include "parser/token.hpp"
+
+namespace trace::parser {
+
+enum class LightVector : std::uint8_t { position, direction, color };
+enum class Attenuation : std::uint8_t { constant, linear, quadratic };
+
+class Builder {
+ public:
+  Builder(const Source& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+
+  Scene take() { return std::move(scene_); }
+
+  // False if this program cannot read the version.
+  bool version(double number, Span span);
+
+  void add_item(Item item) { scene_.items.push_back(std::move(item)); }
+
+  // Cameras. The block that is being read is kept here, as lights and primitives are: none of them nest.
+  void begin_camera();
+  Camera& camera() { return camera_; }
+  void viewdir(Vector3 value, Span word);
+  void updir(Vector3 value, Span word);
+  void aspectratio(Scalar value);
+  void end_camera(Span span);
+
+  // Lights: each attribute once.
+  void begin_light(std::string_view word, Span keyword);
+  void light_vector(LightVector which, Vector3 value, Span word);
+  void attenuation(Attenuation which, Scalar value, Span word);
+  void end_ambient_light(Span span);
+  void end_directional_light(Span span);
+  void end_point_light(Span span);
+
+  // Materials.
+  MaterialBlock assign(MaterialBlock block, Parameter parameter, MaterialAssignment value, Span span);
+  MaterialBlock name_block(MaterialBlock block, Name name);
+  Material block(MaterialBlock block, Span span);
+  Material reference(Name name);
+
+  // Elements.
+  ElementId open(decltype(Element::what) what, Span keyword);
+  ElementId close(ElementId parent, Chain children, Span span);
+  ElementId close(ElementId parent, ElementId child, Span span) {
+    return close(parent, {child, child}, span);
+  }
+  Chain append(Chain chain, ElementId element);
+  ElementId material_element(Material material);
+  static Scale uniform_scale(double factor) { return {{factor, factor, factor}}; }
+
+  void begin_primitive(decltype(Primitive::shape) shape, Span keyword);
+  Primitive& primitive() { return primitive_; }
+  Cone& cone() { return std::get<Cone>(primitive_.shape); }
+  ElementId end_primitive(Span span);
+
+  // Meshes. read_list reads the list of `attribute` (POINTS, NORMALS or FACES) behind the '(' at `open`.
+  void begin_mesh(Span keyword);
+  Mesh& mesh() { return scene_.meshes.back(); }
+  ListStop read_list(Kind attribute, Span open);
+  void vertex_materials(std::vector<Material> materials, Span span);
+
+ private:
+  // A light's attribute and the word it was given by.
+  struct Given {
+    std::optional<Vector3> value;
+    Span word;
+  };
+  struct LightParts {
+    std::string_view word;
+    Span keyword;
+    std::array<Given, 3> vectors;
+    std::array<std::optional<Scalar>, 3> attenuation;
+    std::array<Span, 3> attenuation_words;
+  };
+
+  bool errors_since_begin() const { return diagnostics_.error_count() != errors_before_; }
+  void given_twice(std::string_view attribute, Span first, Span again);
+  bool require(LightVector which);
+  const Vector3& given(LightVector which) const {
+    return *light_.vectors[static_cast<std::size_t>(which)].value;
+  }
+
+  const Source& source_;
+  Diagnostics& diagnostics_;
+  Scene scene_;
+  Camera camera_;
+  Span viewdir_word_, updir_word_;
+  LightParts light_;
+  Primitive primitive_;
+  Span primitive_keyword_;
+  std::size_t errors_before_ = 0;  // when the block that is being read began
+  std::map<std::string, Span, std::less<>> named_materials_;
+};
+
+}  // namespace trace::parser

@@ -1,0 +1,144 @@
+// Errors where a statement begins or ends.
+#include <fmt/format.h>
+
+#include "parser/printable.hpp"
+#include "parser/situation.hpp"
+#include "parser/vocabulary.hpp"
+
+namespace trace::parser {
+
+namespace {
+
+bool belongs_outside(Kind kind) {
+  return kind != T::MATERIAL && begins_statement(T::END, kind);
+}
+
+std::string_view arguments_of(Kind transform) {
+  switch (transform) {
+    case T::TRANSLATE:
+      return "three numbers and one object";
+    case T::ROTATE:
+      return "three numbers for the axis, an angle and one object";
+    case T::SCALE:
+      return "one or three numbers and one object";
+    default:
+      return "four rows of four numbers and one object";
+  }
+}
+
+// A light or a camera inside of something.
+bool explain_misplaced(const Situation& at, const std::string& where) {
+  const bool light = is_light(at.found.kind);
+  if (!light && at.found.kind != T::CAMERA) return false;
+  at.error(fmt::format("'{}' cannot stand in {}: {} at the top level of the scene", at.text(at.found), where,
+                       light ? "lights stand" : "cameras stand"));
+  return true;
+}
+
+}  // namespace
+
+bool explain_missing_equals(const Situation& at) {
+  if (!at.expects_only(T::EQUALS)) return false;
+  at.error_found(fmt::format("expected '=' after '{}'", at.text(at.last)));
+  return true;
+}
+
+// Only where it is mandatory: behind lists, gennormals and the name of a material.
+bool explain_missing_semicolon(const Situation& at) {
+  if (!at.expects_only(T::SEMICOLON)) return false;
+  const std::string word(text_of(at.source, at.frame.statement_span));
+  std::string after = "the list of " + word;
+  if (at.frame.statement == T::GENNORMALS) after = "'gennormals', which takes no value";
+  if (at.frame.statement == T::NAME) after = "the name of a material";
+  at.error_found(fmt::format("expected ';' after {}", after));
+  return true;
+}
+
+bool explain_opening(const Situation& at) {
+  const bool opens =
+      at.expects_only(T::OPEN_BRACE) || (at.expects_only(T::OPEN_PAREN) && at.last.kind != T::EQUALS);
+  if (!opens || at.last.kind == T::COMMA || at.last.kind == T::OPEN_PAREN) return false;
+  at.error_found(fmt::format("expected '{}' after '{}'", spelling(at.expected.front()), at.text(at.last)));
+  return true;
+}
+
+// Where an attribute of a block, or its '}', should stand.
+bool explain_attribute(const Situation& at) {
+  const Frame& frame = at.frame;
+  if (frame.opener != T::OPEN_BRACE || frame.owner == T::OPEN_BRACE || !at.expects(T::CLOSE_BRACE))
+    return false;
+  const std::string block = block_text(at.source, frame);
+  if (belongs_outside(at.found.kind)) {
+    at.error(fmt::format("'{}' cannot stand in {}: is a '}}' missing before it?", at.text(at.found), block))
+        .notes.push_back(at.opened_here(frame));
+    const Frame& outside = at.tokens.frames().parent();
+    if (outside.is_block() && begins_statement(outside.owner, at.found.kind)) at.tokens.insert_brace();
+  } else if (at.found_word()) {
+    Diagnostic& error =
+        at.error(fmt::format("unknown attribute {} in {}", in_quotes(at.text(at.found)), block));
+    at.suggest(error, frame.owner);
+    error.notes.push_back({at.found.span, takes_text(at.source, frame)});
+  } else if (at.found.kind == T::COMMA && at.last.kind == T::NUMBER && frame.statement != T::END) {
+    at.error(fmt::format("'{}' takes one number", text_of(at.source, frame.statement_span)));
+  } else {
+    at.error_found(fmt::format("expected an attribute of {} or '}}'", block));
+  }
+  return true;
+}
+
+// Inside the parentheses of a transform.
+bool explain_transform(const Situation& at) {
+  const Frame& frame = at.frame;
+  if (frame.opener != T::OPEN_PAREN || !is_transform(frame.owner)) return false;
+  const std::string word = block_word(at.source, frame);
+  if (at.expects(T::CLOSE_PAREN) && !at.expects_object()) {
+    if (at.found.kind == T::COMMA || at.found.kind == T::OPEN_BRACE ||
+        begins_statement(T::OPEN_BRACE, at.found.kind)) {
+      at.error(fmt::format("{} takes one object: put several between '{{' and '}}'", word))
+          .notes.push_back(at.opened_here(frame));
+    } else {
+      at.error_found(fmt::format("expected ')' of this {}", word)).notes.push_back(at.opened_here(frame));
+    }
+    return true;
+  }
+  const std::string takes = fmt::format("{} takes {}", word, arguments_of(frame.owner));
+  if (!at.expects_object()) {
+    std::vector<std::string> parts;
+    for (const Kind kind : at.expected) parts.push_back(expected_text(kind));
+    at.error_found(fmt::format("{}: expected {}", takes, enumeration(parts, "or")));
+    return true;
+  }
+  if (explain_misplaced(at, fmt::format("{} {}", word.front() == 'a' ? "an" : "a", word))) return true;
+  if (at.found.kind == T::WORD) {
+    at.suggest(at.error(fmt::format("unknown object {}", in_quotes(at.text(at.found)))), T::OPEN_BRACE);
+  } else {
+    at.error_found(fmt::format("{}: expected {}", takes,
+                               at.expects(T::NUMBER) ? "a number or the object" : "the object"));
+  }
+  return true;
+}
+
+// Where an object should stand in a group or in the scene.
+bool explain_object(const Situation& at) {
+  if (!at.expects_object()) return false;
+  const bool group = at.frame.owner == T::OPEN_BRACE;
+  const std::string choice = group ? "an object or a material" : "an object, a light, a camera or a material";
+  if (at.found.kind == T::WORD) {
+    at.suggest(at.error(fmt::format("unknown word {}: expected {}", in_quotes(at.text(at.found)), choice)),
+               at.frame.owner);
+  } else if (at.found_word() && group && explain_misplaced(at, "a group")) {
+    return true;
+  } else if (at.found_word()) {
+    at.error(fmt::format("'{}' cannot stand {}: expected {}", at.text(at.found),
+                         group ? "in a group" : "at the top level of the scene", choice));
+  } else if (at.found.kind == T::CLOSE_BRACE || at.found.kind == T::CLOSE_PAREN) {
+    if (at.tokens.brackets_lost() && at.tokens.diagnostics().has_errors()) return true;
+    at.error(fmt::format("unexpected '{0}': there is no '{1}' that it could close", at.text(at.found),
+                         at.found.kind == T::CLOSE_BRACE ? "{" : "("));
+  } else {
+    at.error_found("expected " + choice);
+  }
+  return true;
+}
+
+}  // namespace trace::parser

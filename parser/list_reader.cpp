@@ -1,0 +1,202 @@
+#include "parser/list_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "parser/comments.hpp"
+#include "parser/number.hpp"
+#include "parser/printable.hpp"
+
+namespace trace::parser {
+
+namespace {
+
+constexpr std::array<double, 23> power_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+class ListReader {
+ public:
+  ListReader(const Source& source, std::uint32_t begin, Diagnostics& diagnostics)
+      : text_(source.text().data()),
+        end_(text_ + source.text().size()),
+        at_(text_ + begin),
+        diagnostics_(diagnostics) {}
+
+  // The character behind blanks and comments, which `at_` then stands at.
+  char peek() {
+    if (is_blank(*at_) || *at_ == '/') at_ = skip_blanks(at_, end_);
+    return *at_;
+  }
+  bool take(char c) {
+    if (*at_ != c && peek() != c) return false;
+    ++at_;
+    return true;
+  }
+  bool number(double& value) {
+    if (!begins_number(peek())) return false;
+    if (!fast_number(value)) slow_number(value);
+    return true;
+  }
+  bool index(std::uint32_t& value);
+  void too_few_corners(const char* begin, std::size_t count);
+
+  const char* place() const { return at_; }
+  ListStop stop(ListNeed need, bool inside) {
+    peek();
+    return {need, static_cast<std::uint32_t>(at_ - text_), inside};
+  }
+  ListStop done() { return {ListNeed::nothing, static_cast<std::uint32_t>(at_ - text_), false}; }
+
+ private:
+  Span span(const char* begin, const char* end) const {
+    return {static_cast<std::uint32_t>(begin - text_), static_cast<std::uint32_t>(end - text_)};
+  }
+  bool fast_number(double& value);
+  void slow_number(double& value);
+
+  const char* text_;
+  const char* end_;
+  const char* at_;
+  Diagnostics& diagnostics_;
+};
+
+// Whether a number ends where this character follows: what else may stand there is left to read_number.
+bool ends_number(char c) {
+  return c == ',' || c == ')' || is_blank(c);
+}
+
+bool ListReader::fast_number(double& value) {
+  const char* p = at_;
+  const bool negative = *p == '-';
+  p += negative ? 1 : 0;
+  const char* const first = p;
+  std::uint64_t digits = 0;
+  for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<unsigned>(*p - '0');
+  std::ptrdiff_t count = p - first;
+  std::ptrdiff_t decimals = 0;
+  if (*p == '.') {
+    const char* const fraction = ++p;
+    for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<unsigned>(*p - '0');
+    decimals = p - fraction;
+    count += decimals;
+  }
+  // Up to 19 digits cannot have overflowed; up to 2^53 the integer is exact.
+  if (!ends_number(*p) || count == 0 || count > 19 || digits > (std::uint64_t{1} << 53)) return false;
+  const double magnitude = static_cast<double>(digits) / power_of_ten[static_cast<std::size_t>(decimals)];
+  value = negative ? -magnitude : magnitude;
+  at_ = p;
+  return true;
+}
+
+void ListReader::slow_number(double& value) {
+  const NumberText read = read_number(at_, end_);
+  const std::string_view run(at_, static_cast<std::size_t>(read.end - at_));
+  if (read.state == NumberState::malformed) {
+    diagnostics_.error(span(at_, read.end), "malformed number " + in_quotes(run));
+  } else if (read.state == NumberState::out_of_range) {
+    diagnostics_.error(span(at_, read.end), "number " + in_quotes(run) + " is out of range");
+  }
+  value = read.value;
+  at_ = read.end;
+}
+
+bool ListReader::index(std::uint32_t& value) {
+  const char c = peek();
+  if (!begins_number(c)) return false;
+  const char* const begin = at_;
+  std::uint32_t digits = 0;
+  const char* p = begin;
+  while (is_digit(*p) && p - begin < 9) digits = digits * 10 + static_cast<unsigned>(*p++ - '0');
+  if (p != begin && ends_number(*p)) {
+    at_ = p;
+    value = digits;
+    return true;
+  }
+  double number = 0;
+  slow_number(number);
+  const std::string_view written(begin, static_cast<std::size_t>(at_ - begin));
+  if (number != std::floor(number)) {
+    diagnostics_.error(span(begin, at_), fmt::format("face index {} is not a whole number", written));
+  } else if (number < 0) {
+    diagnostics_.error(span(begin, at_), fmt::format("face index {} is negative", written));
+  }
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  value = static_cast<std::uint32_t>(number < 0 ? 0 : number > most ? most : number);
+  return true;
+}
+
+void ListReader::too_few_corners(const char* begin, std::size_t count) {
+  diagnostics_.error(span(begin, at_), fmt::format("a face has at least three corners, this one has {}",
+                                                   count == 1 ? "one" : "two"));
+}
+
+}  // namespace
+
+ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<double>& numbers,
+                      Diagnostics& diagnostics) {
+  ListReader list(source, begin, diagnostics);
+  if (list.take(')')) return list.done();
+  for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
+    std::array<double, 3> triple;
+    if (!list.take('(')) return list.stop(need, false);
+    if (!list.number(triple[0])) return list.stop(ListNeed::number, true);
+    if (!list.take(',')) return list.stop(ListNeed::comma, true);
+    if (!list.number(triple[1])) return list.stop(ListNeed::number, true);
+    if (!list.take(',')) return list.stop(ListNeed::comma, true);
+    if (!list.number(triple[2])) return list.stop(ListNeed::number, true);
+    if (!list.take(')')) return list.stop(ListNeed::close, true);
+    numbers.insert(numbers.end(), triple.begin(), triple.end());
+    if (list.take(',')) continue;
+    if (list.take(')')) return list.done();
+    return list.stop(ListNeed::comma_or_end, false);
+  }
+}
+
+ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::uint32_t>& corners,
+                    std::vector<std::uint32_t>& sizes, Diagnostics& diagnostics) {
+  ListReader list(source, begin, diagnostics);
+  if (list.take(')')) return list.done();
+  for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
+    list.peek();
+    const char* const face = list.place();
+    if (!list.take('(')) return list.stop(need, false);
+    const std::size_t before = corners.size();
+    do {
+      std::uint32_t corner = 0;
+      if (!list.index(corner)) return list.stop(ListNeed::number, true);
+      corners.push_back(corner);
+    } while (list.take(','));
+    if (!list.take(')')) return list.stop(ListNeed::comma_or_close, true);
+    const std::size_t count = corners.size() - before;
+    if (count < 3) list.too_few_corners(face, count);
+    if (count != 3 && sizes.empty()) sizes.assign(before / 3, 3);
+    if (count != 3 || !sizes.empty()) sizes.push_back(static_cast<std::uint32_t>(count));
+    if (list.take(',')) continue;
+    if (list.take(')')) return list.done();
+    return list.stop(ListNeed::comma_or_end, false);
+  }
+}
+
+Span number_span(const Source& source, Span list, std::uint64_t k) {
+  const char* const text = source.text().data();
+  const char* const end = text + list.end;
+  const char* at = text + list.begin;
+  for (;;) {
+    at = skip_blanks(at, end);
+    if (at >= end) return list;
+    if (!begins_number(*at)) {
+      ++at;
+      continue;
+    }
+    const char* const behind = read_number(at, end).end;
+    if (k == 0) return {static_cast<std::uint32_t>(at - text), static_cast<std::uint32_t>(behind - text)};
+    --k;
+    at = behind;
+  }
+}
+
+}  // namespace trace::parser

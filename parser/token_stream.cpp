@@ -1,0 +1,139 @@
+#include "parser/token_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "parser/builder.hpp"
+#include "parser/list_errors.hpp"
+#include "parser/parse.hpp"
+#include "parser/vocabulary.hpp"
+
+namespace trace::parser {
+
+TokenStream::TokenStream(const Source& source, Diagnostics& diagnostics, Builder& builder)
+    : source_(source), diagnostics_(diagnostics), builder_(builder), scanner_(source, diagnostics) {}
+
+// The token returned before has been taken by the grammar: only now do its brackets count.
+bison::Grammar::symbol_type TokenStream::next() {
+  if (taken_ && !stopped_) {
+    frames_.apply(current_);
+    check_nesting(current_);
+  }
+  taken_ = true;
+  current_ = stopped_ ? Token{T::END, current_.span} : skipping_ ? skip() : advance();
+  return symbol(current_);
+}
+
+Token TokenStream::advance() {
+  if (!held_.empty()) {
+    const Token token = held_.back();
+    held_.pop_back();
+    return token;
+  }
+  const Token token = scanner_.next();
+  const Kind attribute = frames_.before_last().kind;
+  const bool list = attribute == T::POINTS || attribute == T::NORMALS || attribute == T::FACES;
+  Token result =
+      list && token.kind == T::OPEN_PAREN && frames_.last().kind == T::EQUALS ? read_list(token) : token;
+  if (silence_next_ && result.kind != T::LIST) {
+    result.after_error = true;
+    silence_next_ = false;
+  }
+  return result;
+}
+
+Token TokenStream::skip() {
+  scanner_.set_quiet(true);
+  Token token = scanner_.next();
+  while (token.kind != T::END && !frames_.skip(token, target_)) {
+    if (frames_.depth() > 2 * max_nesting) {
+      stop();
+      token = {T::END, token.span};
+      break;
+    }
+    token = scanner_.next();
+  }
+  if (scanner_.lost_text()) frames_.set_bracket_lost();
+  scanner_.set_quiet(false);
+  skipping_ = false;
+  if (token.kind == T::END) stop();
+  return token;
+}
+
+Recovery TokenStream::recover() {
+  if (stopped_ || current_.kind == T::END) {
+    stop();
+    return Recovery::stop;
+  }
+  if (std::exchange(insert_brace_, false)) {
+    const Token brace{T::CLOSE_BRACE, {current_.span.begin, current_.span.begin}};
+    held_ = {current_, brace};
+    taken_ = false;
+    return Recovery::drop;
+  }
+  target_ = frames_.block_depth();
+  const bool stuck = last_error_ == current_.span.begin;
+  last_error_ = current_.span.begin;
+  const bool drop = std::exchange(drop_current_, false) || stuck;
+  if (!drop && frames_.skip(current_, target_)) return Recovery::keep;
+  taken_ = false;
+  skipping_ = true;
+  return Recovery::drop;
+}
+
+void TokenStream::check_nesting(const Token& token) {
+  if (frames_.nesting() <= max_nesting || stopped_) return;
+  diagnostics_.error(token.span, fmt::format("objects are nested more than {} deep", max_nesting));
+  stop();
+}
+
+bison::Grammar::symbol_type TokenStream::symbol(const Token& token) const {
+  using Symbol = bison::Grammar::symbol_type;
+  const std::string_view text = source_.text().substr(token.span.begin, token.span.end - token.span.begin);
+  switch (token.kind) {
+    case T::NUMBER:
+      return Symbol(token.kind, token.number, token.span);
+    case T::WORD:
+      return Symbol(token.kind, text, token.span);
+    case T::STRING: {
+      const bool closed = text.size() > 1 && text.back() == '"';
+      return Symbol(token.kind, text.substr(1, text.size() - (closed ? 2 : 1)), token.span);
+    }
+    default:
+      return Symbol(token.kind, token.span);
+  }
+}
+
+Token TokenStream::read_list(const Token& open) {
+  const ListStop stop = builder_.read_list(frames_.before_last().kind, open.span);
+  scanner_.seek(stop.offset);
+  if (stop.need == ListNeed::nothing) return {T::LIST, {open.span.begin, stop.offset}};
+  const Token found = scanner_.next();
+  if (!found.after_error) report_list_error(*this, open.span, stop.need, found);
+  Token list = leave_list(found, stop);
+  list.span.begin = open.span.begin;
+  return list;
+}
+
+// Behind an error in a list: up to the ')' of the list. A ';', a '}' or a word stands in none, so it ends one
+// that is not closed; what is missing in front of it then is not reported again.
+Token TokenStream::leave_list(const Token& found, const ListStop& stop) {
+  std::size_t depth = stop.inside_entry ? 2 : 1;
+  Token token = found;
+  scanner_.set_quiet(true);
+  for (;; token = scanner_.next()) {
+    if (token.kind == T::END || token.kind == T::SEMICOLON || token.kind == T::CLOSE_BRACE ||
+        is_reserved(token.kind)) {
+      scanner_.seek(token.span.begin);
+      silence_next_ = true;
+      break;
+    }
+    if (token.kind == T::OPEN_PAREN) ++depth;
+    if (token.kind == T::CLOSE_PAREN && --depth == 0) break;
+  }
+  scanner_.set_quiet(false);
+  return {T::LIST, token.span};
+}
+
+}  // namespace trace::parser
