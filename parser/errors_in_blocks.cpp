@@ -77,7 +77,8 @@ bool explain_attribute(const Situation& at) {
     Diagnostic& error =
         at.error(fmt::format("unknown attribute {} in {}", in_quotes(at.text(at.found)), block));
     at.suggest(error, frame.owner);
-    error.notes.push_back({at.found.span, takes_text(at.source, frame)});
+    if (at.tokens.first_note(frame.owner))
+      error.notes.push_back({at.found.span, takes_text(at.source, frame)});
   } else if (at.found.kind == T::COMMA && at.last.kind == T::NUMBER && frame.statement != T::END) {
     at.error(fmt::format("'{}' takes one number", text_of(at.source, frame.statement_span)));
   } else {

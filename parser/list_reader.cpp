@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "parser/comments.hpp"
@@ -20,15 +22,19 @@ constexpr std::array<double, 23> power_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,
 
 class ListReader {
  public:
-  ListReader(const Source& source, std::uint32_t begin, Diagnostics& diagnostics)
+  // `first` is how many values the vector held before.
+  ListReader(const Source& source, std::uint32_t begin, std::size_t first, Diagnostics& diagnostics)
       : text_(source.text().data()),
         end_(text_ + source.text().size()),
-        at_(text_ + begin),
+        begin_(text_ + begin),
+        at_(begin_),
+        first_(first),
         diagnostics_(diagnostics) {}
 
   // The character behind blanks and comments, which `at_` then stands at.
   char peek() {
-    if (is_blank(*at_) || *at_ == '/') at_ = skip_blanks(at_, end_);
+    while (is_blank(*at_)) ++at_;
+    if (*at_ == '/') at_ = skip_blanks(at_, end_);
     return *at_;
   }
   bool take(char c) {
@@ -43,6 +49,23 @@ class ListReader {
   }
   bool index(std::uint32_t& value);
   void too_few_corners(const char* begin, std::size_t count);
+
+  // Makes room for `count` more. How much more will come is judged by the distance to the ';' behind the list
+  // (looked for no further than a multiple of what was read, so that all the looking takes linear time):
+  // growing in small steps would cost as much as the reading.
+  template <class Value>
+  void make_room(std::vector<Value>& values, std::size_t count) const {
+    if (values.capacity() - values.size() >= count) return;
+    constexpr std::size_t look = 32;
+    const auto read = static_cast<std::size_t>(at_ - begin_) + 1;
+    const std::size_t ahead = std::min(static_cast<std::size_t>(end_ - at_), look * read);
+    const void* const stop = std::memchr(at_, ';', ahead);
+    const std::size_t bytes =
+        stop == nullptr ? ahead : static_cast<std::size_t>(static_cast<const char*>(stop) - at_);
+    const std::size_t more = static_cast<std::size_t>(1.02 * static_cast<double>(values.size() - first_) *
+                                                      static_cast<double>(bytes) / static_cast<double>(read));
+    values.reserve(values.size() + std::max({more, values.size() / 2, std::size_t{48}}));
+  }
 
   const char* place() const { return at_; }
   ListStop stop(ListNeed need, bool inside) {
@@ -60,7 +83,9 @@ class ListReader {
 
   const char* text_;
   const char* end_;
+  const char* begin_;
   const char* at_;
+  std::size_t first_;
   Diagnostics& diagnostics_;
 };
 
@@ -138,7 +163,7 @@ void ListReader::too_few_corners(const char* begin, std::size_t count) {
 
 ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<double>& numbers,
                       Diagnostics& diagnostics) {
-  ListReader list(source, begin, diagnostics);
+  ListReader list(source, begin, numbers.size(), diagnostics);
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
     std::array<double, 3> triple;
@@ -149,6 +174,7 @@ ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<dou
     if (!list.take(',')) return list.stop(ListNeed::comma, true);
     if (!list.number(triple[2])) return list.stop(ListNeed::number, true);
     if (!list.take(')')) return list.stop(ListNeed::close, true);
+    list.make_room(numbers, 3);
     numbers.insert(numbers.end(), triple.begin(), triple.end());
     if (list.take(',')) continue;
     if (list.take(')')) return list.done();
@@ -158,7 +184,7 @@ ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<dou
 
 ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::uint32_t>& corners,
                     std::vector<std::uint32_t>& sizes, Diagnostics& diagnostics) {
-  ListReader list(source, begin, diagnostics);
+  ListReader list(source, begin, corners.size(), diagnostics);
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
     list.peek();
@@ -168,6 +194,7 @@ ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::
     do {
       std::uint32_t corner = 0;
       if (!list.index(corner)) return list.stop(ListNeed::number, true);
+      list.make_room(corners, 1);
       corners.push_back(corner);
     } while (list.take(','));
     if (!list.take(')')) return list.stop(ListNeed::comma_or_close, true);

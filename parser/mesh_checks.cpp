@@ -31,9 +31,8 @@ void check_corners(const Source& source, const Mesh& mesh, Diagnostics& diagnost
   Diagnostic& error = diagnostics.error(span, fmt::format("face index {} is out of range: {}", written, has));
   const auto more = std::count_if(first + 1, mesh.corners.end(), wrong);
   if (more > 0) {
-    error.notes.push_back({span, fmt::format("{} more of this mesh {} out of range too",
-                                             count_of(static_cast<std::size_t>(more), "index", "indices"),
-                                             more == 1 ? "is" : "are")});
+    error.notes.push_back({span, fmt::format("{} more {} out of range in this mesh", more,
+                                             more == 1 ? "index is" : "indices are")});
   }
 }
 

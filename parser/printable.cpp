@@ -50,8 +50,8 @@ PrintableCharacter printable_character(std::string_view text, std::size_t at) {
   return {1, 4, fmt::format("\\x{:02X}", byte_at(text, at))};
 }
 
-std::string in_quotes(std::string_view text) {
-  std::string result = "'";
+std::string printable(std::string_view text) {
+  std::string result;
   for (std::size_t at = 0, characters = 0; at < text.size(); ++characters) {
     if (characters == 40) {
       result += "...";
@@ -61,7 +61,11 @@ std::string in_quotes(std::string_view text) {
     result += c.shown;
     at += c.bytes;
   }
-  return result + "'";
+  return result;
+}
+
+std::string in_quotes(std::string_view text) {
+  return fmt::format("'{}'", printable(text));
 }
 
 std::string character_name(std::string_view text, std::size_t at) {

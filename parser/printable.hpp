@@ -22,7 +22,9 @@ struct PrintableCharacter {
 };
 PrintableCharacter printable_character(std::string_view text, std::size_t at);
 
-// The text in single quotes, printable, cut after about 40 characters: 'difuse'.
+// The text, printable, cut after about 40 characters.
+std::string printable(std::string_view text);
+// The same in single quotes: 'difuse'.
 std::string in_quotes(std::string_view text);
 
 // The name of an unexpected character: '#', '\x00', U+00A0.

@@ -150,7 +150,6 @@ void Scanner::State::read_number_at() {
   const std::string_view run = text.substr(span.begin, span.end - span.begin);
   if (read.state == NumberState::malformed) error(span, "malformed number " + in_quotes(run));
   if (read.state == NumberState::out_of_range) error(span, "number " + in_quotes(run) + " is out of range");
-  after_error = false;  // it stands for a number all the same
   go_to(span.end);
 }
 
@@ -163,6 +162,10 @@ Kind Scanner::State::word() {
 
 // A run of characters that nothing begins with is one error.
 void Scanner::State::unexpected() {
+  if (text.substr(begin, 2) == "*/") {
+    error({begin, begin + 2}, "'*/' without '/*': comments do not nest");
+    return go_to(begin + 2);
+  }
   const std::size_t length = std::max<std::size_t>(utf8_length(text, begin), 1);
   error({begin, begin + static_cast<std::uint32_t>(length)}, "unexpected character " + character_name(text, begin));
   const auto known = [this](char c) {

@@ -99,7 +99,8 @@ struct Source::Contents {
     if (place == MAP_FAILED) return false;
     mapping = static_cast<char*>(place);
     mapping_size = total;
-    if (::mmap(place, file_size, PROT_READ, MAP_PRIVATE | MAP_FIXED, descriptor, 0) == MAP_FAILED)
+    if (::mmap(place, file_size, PROT_READ, MAP_PRIVATE | MAP_FIXED | MAP_POPULATE, descriptor, 0) ==
+        MAP_FAILED)
       return false;
     ::madvise(place, file_size, MADV_SEQUENTIAL);
     size = file_size;

@@ -14,9 +14,8 @@ using T = bison::Grammar::token;
 struct Token {
   Kind kind = T::END;
   Span span;
-  double number = 0;  // of a NUMBER
-  bool after_error =
-      false;  // the scanner has just reported an error here: what follows from it is not reported
+  double number = 0;         // of a NUMBER
+  bool after_error = false;  // the scanner has reported this token or what stands before it
 };
 
 }  // namespace trace::parser

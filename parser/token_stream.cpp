@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "parser/builder.hpp"
@@ -80,6 +81,12 @@ Recovery TokenStream::recover() {
   taken_ = false;
   skipping_ = true;
   return Recovery::drop;
+}
+
+bool TokenStream::first_note(Kind block) {
+  if (std::find(noted_.begin(), noted_.end(), block) != noted_.end()) return false;
+  noted_.push_back(block);
+  return true;
 }
 
 void TokenStream::check_nesting(const Token& token) {

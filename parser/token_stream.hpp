@@ -41,6 +41,8 @@ class TokenStream {
   // Nothing more is read and nothing more reported.
   void stop() { stopped_ = true; }
   bool stopped() const { return stopped_; }
+  // Whether this is the first time that it is told what such a block takes.
+  bool first_note(Kind block);
   // The error that is being reported stands at a word that cannot be meant as the next statement.
   void drop_current() { drop_current_ = true; }
 
@@ -61,6 +63,7 @@ class TokenStream {
   std::vector<Token> held_;  // come before the scanner's, the last one first
   std::size_t target_ = 0;   // depth of the block that is being recovered
   std::optional<std::uint32_t> last_error_;
+  std::vector<Kind> noted_;
   bool taken_ = false;  // whether the grammar takes the current token
   bool skipping_ = false, stopped_ = false;
   bool insert_brace_ = false, drop_current_ = false, silence_next_ = false;
