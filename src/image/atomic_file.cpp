@@ -32,7 +32,7 @@ std::string descriptor_name(int descriptor) {
 template <typename Attempt>
 std::filesystem::path with_hidden_name(const std::filesystem::path& directory, Attempt attempt) {
   for (int number = 0;; ++number) {
-    const std::filesystem::path name = directory / fmt::format(".trace-{}-{}.tmp", getpid(), number);
+    std::filesystem::path name = directory / fmt::format(".trace-{}-{}.tmp", getpid(), number);
     const int error = attempt(name);
     if (error == 0) return name;
     if (error != EEXIST || number == 9999) fail(error);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <system_error>
 
 #include "image/atomic_file.hpp"
 #include "image/bmp.hpp"
@@ -55,7 +56,9 @@ Image read_image(const std::filesystem::path& path) {
 
 void check_writable(const std::filesystem::path& path) {
   output_format(path);
-  AtomicFile probe(path);
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(path, ignored)) return;  // closing it again would end it for its reader
+  const AtomicFile probe(path);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image) {

@@ -34,8 +34,8 @@ Image read_image(const std::filesystem::path& path);
 // whole or left as it was. Throws ImageError.
 void write_image(const std::filesystem::path& path, const Image& image);
 
-// Throws what write_image would for this name, without writing: an unknown type, a folder that is not there. For
-// programs that would otherwise work long before they notice.
+// Throws what write_image would for this name, without writing: an unknown type, a folder that is not there.
+// For programs that would otherwise work long before they notice.
 void check_writable(const std::filesystem::path& path);
 
 }  // namespace trace

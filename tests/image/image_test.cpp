@@ -67,6 +67,24 @@ TEST_CASE("a picture of an unknown type cannot be written, and nothing is left")
   CHECK(directory.names().empty());
 }
 
+TEST_CASE(
+    "whether a picture can be written is known before there is one, and nothing is left of the question") {
+  const Directory directory;
+  CHECK(reason([&] { check_writable(directory / "a.png"); }) == "no error");
+  CHECK(reason([&] { check_writable(directory / "a.xyz"); }) == "cannot write pictures of type '.xyz'");
+  CHECK(reason([&] { check_writable(directory / "none" / "a.png"); }) == "no such directory");
+  CHECK(directory.names().empty());
+  put(directory / "old.png", {1, 2, 3});
+  CHECK(reason([&] { check_writable(directory / "old.png"); }) == "no error");
+  CHECK(get(directory / "old.png") == Bytes{1, 2, 3});
+}
+
+TEST_CASE("a pipe is not opened to ask whether it can be written") {
+  const Directory directory;
+  REQUIRE(mkfifo((directory / "pipe.png").c_str(), 0600) == 0);  // opening it would wait for a reader
+  CHECK(reason([&] { check_writable(directory / "pipe.png"); }) == "no error");
+}
+
 TEST_CASE("a program that reads and writes pictures is not linked to OpenImageIO") {
   const std::string command = "ldd " + std::filesystem::read_symlink("/proc/self/exe").string();
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
