@@ -23,7 +23,6 @@ bool Builder::version(double number, Span span) {
 // ------------------------------------------------------------------------------------------------
 
 MaterialBlock Builder::assign(MaterialBlock block, Parameter parameter, MaterialAssignment value, Span span) {
-  value.value_span = value.span;
   value.parameter = parameter;
   value.span = span;
   block.assignments.push_back(std::move(value));
@@ -49,7 +48,10 @@ Material Builder::block(MaterialBlock block, Span span) {
 
 Material Builder::reference(Name name) {
   const Span span = name.span;
-  if (named_materials_.find(name.value) == named_materials_.end()) {
+  // After other errors the material may be among what was passed over.
+  const bool sure = diagnostics_.error_count() == unknown_names_;
+  if (sure && named_materials_.find(name.value) == named_materials_.end()) {
+    ++unknown_names_;
     constexpr std::size_t most_suggested = 1000;
     std::vector<std::string_view> known;
     if (named_materials_.size() <= most_suggested) {

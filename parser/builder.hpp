@@ -99,6 +99,7 @@ class Builder {
   Primitive primitive_;
   Span primitive_keyword_;
   std::size_t errors_before_ = 0;  // when the block that is being read began
+  std::size_t unknown_names_ = 0;  // errors about names of materials
   std::map<std::string, Span, std::less<>> named_materials_;
 };
 

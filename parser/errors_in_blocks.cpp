@@ -9,8 +9,15 @@ namespace trace::parser {
 
 namespace {
 
-bool belongs_outside(Kind kind) {
-  return kind != T::MATERIAL && begins_statement(T::END, kind);
+// Whether the found token would be right behind the '}' of this block, or at least somewhere further out.
+bool fits_outside(const Situation& at) {
+  const Frame& outside = at.tokens.frames().parent();
+  const bool group =
+      at.found.kind == T::OPEN_BRACE && (outside.owner == T::END || outside.owner == T::OPEN_BRACE);
+  return outside.is_block() && (group || begins_statement(outside.owner, at.found.kind));
+}
+bool belongs_outside(const Situation& at) {
+  return fits_outside(at) || begins_statement(T::END, at.found.kind);
 }
 
 std::string_view arguments_of(Kind transform) {
@@ -32,6 +39,19 @@ bool explain_misplaced(const Situation& at, const std::string& where) {
   if (!light && at.found.kind != T::CAMERA) return false;
   at.error(fmt::format("'{}' cannot stand in {}: {} at the top level of the scene", at.text(at.found), where,
                        light ? "lights stand" : "cameras stand"));
+  return true;
+}
+
+// A ')' that closes what is around the block, or a ',' of the list that it stands in: the block's '}' is
+// missing.
+bool explain_unclosed(const Situation& at) {
+  const Frame& outside = at.tokens.frames().parent();
+  const bool comma = at.found.kind == T::COMMA && outside.owner == T::MATERIALS;
+  if (outside.opener != T::OPEN_PAREN || (at.found.kind != T::CLOSE_PAREN && !comma)) return false;
+  at.error(fmt::format("'}}' of this {} is missing before '{}'", block_word(at.source, at.frame),
+                       at.text(at.found)))
+      .notes.push_back(at.opened_here(at.frame));
+  at.tokens.insert_brace();
   return true;
 }
 
@@ -58,7 +78,12 @@ bool explain_opening(const Situation& at) {
   const bool opens =
       at.expects_only(T::OPEN_BRACE) || (at.expects_only(T::OPEN_PAREN) && at.last.kind != T::EQUALS);
   if (!opens || at.last.kind == T::COMMA || at.last.kind == T::OPEN_PAREN) return false;
-  at.error_found(fmt::format("expected '{}' after '{}'", spelling(at.expected.front()), at.text(at.last)));
+  const Kind bracket = at.expected.front();
+  at.error_found(fmt::format("expected '{}' after '{}'", spelling(bracket), at.text(at.last)));
+  const bool inside = bracket == T::OPEN_PAREN ? at.found.kind == T::NUMBER
+                                               : begins_statement(at.last.kind, at.found.kind) &&
+                                                     !begins_statement(at.frame.owner, at.found.kind);
+  if (inside) at.tokens.assume_open(bracket);
   return true;
 }
 
@@ -68,11 +93,13 @@ bool explain_attribute(const Situation& at) {
   if (frame.opener != T::OPEN_BRACE || frame.owner == T::OPEN_BRACE || !at.expects(T::CLOSE_BRACE))
     return false;
   const std::string block = block_text(at.source, frame);
-  if (belongs_outside(at.found.kind)) {
+  if (belongs_outside(at)) {
+    if (fits_outside(at)) at.tokens.insert_brace();
+    if (at.tokens.brackets_lost()) return true;
     at.error(fmt::format("'{}' cannot stand in {}: is a '}}' missing before it?", at.text(at.found), block))
         .notes.push_back(at.opened_here(frame));
-    const Frame& outside = at.tokens.frames().parent();
-    if (outside.is_block() && begins_statement(outside.owner, at.found.kind)) at.tokens.insert_brace();
+  } else if (explain_unclosed(at)) {
+    return true;
   } else if (at.found_word()) {
     Diagnostic& error =
         at.error(fmt::format("unknown attribute {} in {}", in_quotes(at.text(at.found)), block));
@@ -104,9 +131,10 @@ bool explain_transform(const Situation& at) {
   }
   const std::string takes = fmt::format("{} takes {}", word, arguments_of(frame.owner));
   if (!at.expects_object()) {
-    std::vector<std::string> parts;
-    for (const Kind kind : at.expected) parts.push_back(expected_text(kind));
-    at.error_found(fmt::format("{}: expected {}", takes, enumeration(parts, "or")));
+    const bool no_object = at.expects_only(T::COMMA) && at.found.kind == T::CLOSE_PAREN;
+    at.error_found(
+        fmt::format("{}: expected {}", takes, no_object ? "',' and more" : expected_text(at.expected)));
+    if (at.expects_only(T::OPEN_PAREN) && at.found.kind == T::NUMBER) at.tokens.assume_open(T::OPEN_PAREN);
     return true;
   }
   if (explain_misplaced(at, fmt::format("{} {}", word.front() == 'a' ? "an" : "a", word))) return true;
@@ -132,6 +160,8 @@ bool explain_object(const Situation& at) {
   } else if (at.found_word()) {
     at.error(fmt::format("'{}' cannot stand {}: expected {}", at.text(at.found),
                          group ? "in a group" : "at the top level of the scene", choice));
+  } else if (group && explain_unclosed(at)) {
+    return true;
   } else if (at.found.kind == T::CLOSE_BRACE || at.found.kind == T::CLOSE_PAREN) {
     if (at.tokens.brackets_lost() && at.tokens.diagnostics().has_errors()) return true;
     at.error(fmt::format("unexpected '{0}': there is no '{1}' that it could close", at.text(at.found),

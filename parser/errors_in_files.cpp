@@ -1,6 +1,7 @@
 // Errors at the header and at the end of the file.
 #include <fmt/format.h>
 
+#include "parser/printable.hpp"
 #include "parser/situation.hpp"
 #include "parser/vocabulary.hpp"
 
@@ -24,14 +25,13 @@ bool explain_end_of_file(const Situation& at) {
   at.tokens.stop();
   if (at.tokens.brackets_lost() && at.tokens.diagnostics().has_errors()) return true;
   if (at.tokens.frames().depth() == 0) {
-    std::vector<std::string> parts;
-    for (const Kind kind : at.expected) parts.push_back(expected_text(kind));
-    at.error("unexpected end of file: expected " + enumeration(parts, "or"));
+    at.error("unexpected end of file: expected " + expected_text(at.expected));
     return true;
   }
-  const std::string bracket = at.frame.opener == T::OPEN_BRACE ? "}" : ")";
-  at.error(fmt::format("unexpected end of file: '{}' of this {} is missing", bracket,
-                       block_word(at.source, at.frame)))
+  const bool brace = at.frame.opener == T::OPEN_BRACE;
+  const std::string word = block_word(at.source, at.frame);
+  const std::string whose = brace || is_transform(at.frame.owner) ? "this " + word : in_quotes(word);
+  at.error(fmt::format("unexpected end of file: '{}' of {} is missing", brace ? "}" : ")", whose))
       .notes.push_back(at.opened_here(at.frame));
   return true;
 }

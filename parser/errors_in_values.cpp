@@ -29,6 +29,7 @@ bool explain_name(const Situation& at) {
   } else {
     at.error_found(reference ? "'material' takes a block '{ ... }' or the name of a material"
                              : "expected a name");
+    if (reference && begins_statement(T::MATERIAL, at.found.kind)) at.tokens.assume_open(T::OPEN_BRACE);
   }
   return true;
 }
@@ -77,6 +78,7 @@ bool explain_tuple(const Situation& at) {
   }
   if (frame.owner == T::MATERIALS) {
     at.error_found(at.expects(T::COMMA) ? "expected ',' or ')' after a material" : "expected a material");
+    if (begins_statement(T::MATERIAL, at.found.kind)) at.tokens.assume_open(T::OPEN_BRACE);
     return true;
   }
   if (at.expects(T::NUMBER)) {

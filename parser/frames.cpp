@@ -102,6 +102,7 @@ bool Frames::skip_brace(std::size_t depth) {
 
 bool Frames::skip(const Token& token, std::size_t depth) {
   const bool here = frames_.size() - 1 == depth;
+  const bool behind_bracket = last_.kind == T::CLOSE_BRACE || last_.kind == T::CLOSE_PAREN;
   switch (token.kind) {
     case T::CLOSE_BRACE:
       if (skip_brace(depth)) return true;
@@ -126,6 +127,8 @@ bool Frames::skip(const Token& token, std::size_t depth) {
       break;
     default:
       if (here && begins_statement(top().owner, token.kind)) return true;
+      if (here && behind_bracket && (token.kind == T::WORD || begins_statement(T::END, token.kind)))
+        return true;
   }
   before_last_ = last_;
   last_ = token;

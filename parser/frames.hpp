@@ -43,11 +43,11 @@ class Frames {
   std::size_t nesting() const { return nesting_; }
 
   // A token that is passed over while looking for the next statement of the block at `depth`. True if it is
-  // where the reading goes on: the first word of a statement, a ';' or the '}' of that block.
+  // where the reading goes on: the first word of a statement, a ';', the '}' of that block, or a
+  // word behind a bracket, which most likely is meant for a statement too.
   bool skip(const Token& token, std::size_t depth);
   // Whether a closing bracket without its partner was passed over, or brackets were closed for want of one.
   bool bracket_lost() const { return bracket_lost_; }
-  void set_bracket_lost() { bracket_lost_ = true; }
 
   const Token& last() const { return last_; }  // the token taken last
   const Token& before_last() const { return before_last_; }

@@ -194,10 +194,7 @@ Token Scanner::next() {
 
 void Scanner::seek(std::uint32_t offset) { state_->go_to(offset); }
 
-void Scanner::set_quiet(bool quiet) {
-  state_->quiet = quiet;
-  if (quiet) state_->lost_text = false;
-}
+void Scanner::set_quiet(bool quiet) { state_->quiet = quiet; }
 
 bool Scanner::lost_text() const { return state_->lost_text; }
 

@@ -71,9 +71,7 @@ void report_syntax_error(TokenStream& tokens, const std::vector<Kind>& expected)
   for (const auto function : explain) {
     if (function(at)) return;
   }
-  std::vector<std::string> parts;
-  for (const Kind kind : expected) parts.push_back(expected_text(kind));
-  at.error_found("expected " + enumeration(parts, "or"));
+  at.error_found("expected " + expected_text(expected));
 }
 
 }  // namespace trace::parser

@@ -55,7 +55,6 @@ Token TokenStream::skip() {
     }
     token = scanner_.next();
   }
-  if (scanner_.lost_text()) frames_.set_bracket_lost();
   scanner_.set_quiet(false);
   skipping_ = false;
   if (token.kind == T::END) stop();
@@ -76,8 +75,13 @@ Recovery TokenStream::recover() {
   target_ = frames_.block_depth();
   const bool stuck = last_error_ == current_.span.begin;
   last_error_ = current_.span.begin;
-  const bool drop = std::exchange(drop_current_, false) || stuck;
-  if (!drop && frames_.skip(current_, target_)) return Recovery::keep;
+  if (assumed_open_) frames_.skip({*assumed_open_, {current_.span.begin, current_.span.begin}}, target_);
+  assumed_open_.reset();
+  const bool word = current_.kind == T::WORD || is_reserved(current_.kind);
+  const bool drop = std::exchange(drop_current_, false) || stuck ||
+                    (word && !begins_statement(frames_.at(target_).owner, current_.kind));
+  const bool begins_next = frames_.skip(current_, target_);
+  if (begins_next && !drop) return Recovery::keep;
   taken_ = false;
   skipping_ = true;
   return Recovery::drop;
@@ -126,7 +130,8 @@ Token TokenStream::read_list(const Token& open) {
 // Behind an error in a list: up to the ')' of the list. A ';', a '}' or a word stands in none, so it ends one
 // that is not closed; what is missing in front of it then is not reported again.
 Token TokenStream::leave_list(const Token& found, const ListStop& stop) {
-  std::size_t depth = stop.inside_entry ? 2 : 1;
+  const bool entry = stop.need == ListNeed::first_entry || stop.need == ListNeed::entry;
+  std::size_t depth = stop.inside_entry || (entry && found.kind == T::NUMBER) ? 2 : 1;
   Token token = found;
   scanner_.set_quiet(true);
   for (;; token = scanner_.next()) {

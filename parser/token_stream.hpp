@@ -38,6 +38,8 @@ class TokenStream {
   // Called while an error is reported: the '}' of the innermost block is missing in front of the current
   // token.
   void insert_brace() { insert_brace_ = true; }
+  // Likewise: the bracket that should open here is missing, what follows stands in it all the same.
+  void assume_open(Kind bracket) { assumed_open_ = bracket; }
   // Nothing more is read and nothing more reported.
   void stop() { stopped_ = true; }
   bool stopped() const { return stopped_; }
@@ -64,6 +66,7 @@ class TokenStream {
   std::size_t target_ = 0;   // depth of the block that is being recovered
   std::optional<std::uint32_t> last_error_;
   std::vector<Kind> noted_;
+  std::optional<Kind> assumed_open_;
   bool taken_ = false;  // whether the grammar takes the current token
   bool skipping_ = false, stopped_ = false;
   bool insert_brace_ = false, drop_current_ = false, silence_next_ = false;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "parser/printable.hpp"
 #include "parser/vocabulary.hpp"
 
@@ -13,7 +15,7 @@ std::string_view text_of(const Source& source, Span span) {
 
 std::string found_text(const Source& source, const Token& token) {
   if (token.kind == T::END) return "the end of the file";
-  if (token.kind == T::STRING) return "the string " + in_quotes(text_of(source, token.span));
+  if (token.kind == T::STRING) return "the string " + printable(text_of(source, token.span));
   return in_quotes(text_of(source, token.span));
 }
 
@@ -62,6 +64,15 @@ std::string expected_text(Kind kind) {
     default:
       return fmt::format("'{}'", spelling(kind));
   }
+}
+
+std::string expected_text(const std::vector<Kind>& kinds) {
+  const bool names = std::find(kinds.begin(), kinds.end(), T::WORD) != kinds.end();
+  std::vector<std::string> parts;
+  for (const Kind kind : kinds) {
+    if (kind != T::STRING || !names) parts.push_back(expected_text(kind));
+  }
+  return enumeration(parts, "or");
 }
 
 std::string takes_text(const Source& source, const Frame& frame) {

@@ -25,6 +25,8 @@ std::string enumeration(const std::vector<std::string>& parts, std::string_view 
 
 // A kind of token that was expected: a number, a name, '{', 'true'.
 std::string expected_text(Kind kind);
+// All of them, joined by "or"; a name stands for a name in quotes too.
+std::string expected_text(const std::vector<Kind>& kinds);
 
 // "a sphere takes material and name"
 std::string takes_text(const Source& source, const Frame& frame);
