@@ -35,7 +35,8 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   result.image.rgb.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(height) * 3);
 
   const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
-  progress.total = options.antialiasing.enabled ? 2 * pixels : pixels;
+  const bool refine = options.antialiasing.enabled && options.antialiasing.supersamples > 1;
+  progress.total = refine ? 2 * pixels : pixels;
   const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
@@ -47,9 +48,7 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
     } else {
       render_pixels(frame, result.image);
     }
-    if (options.antialiasing.enabled && options.antialiasing.supersamples > 1) {
-      antialias(frame, result.image);
-    }
+    if (refine) antialias(frame, result.image);
     result.rays = frame.counts();
   });
   return result;

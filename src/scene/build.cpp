@@ -92,9 +92,11 @@ class SceneBuilder {
       return static_cast<std::uint32_t>(base.id);
     }
     // Each is resolved for its errors and its name; the last one counts.
-    MappedMaterial result;
-    for (const parser::Material& material : own) result = resolver_.resolve(material, base.material);
-    return add_material(result);
+    own_materials_.clear();
+    for (const parser::Material& material : own) {
+      own_materials_.push_back(resolver_.resolve(material, base.material));
+    }
+    return add_material(own_materials_.back());
   }
 
   void note_transmission(const Material& material) {
@@ -158,8 +160,7 @@ class SceneBuilder {
     if (!said.vertex_materials.empty()) {
       const std::size_t before = object.primitive->materials_before_list;
       const MappedMaterial& base = inherited(object.inherits).material;
-      const MappedMaterial own =
-          before == 0 ? base : resolver_.resolve(object.primitive->materials[before - 1], base);
+      const MappedMaterial own = before == 0 ? base : own_materials_[before - 1];
       materials.reserve(said.vertex_materials.size());
       for (const parser::Material& m : said.vertex_materials) materials.push_back(resolver_.resolve(m, own));
     }
@@ -229,6 +230,7 @@ class SceneBuilder {
   Scene scene_;
   ResolvedScope default_;
   std::vector<ResolvedScope> scopes_;
+  std::vector<MappedMaterial> own_materials_;  // of the object that is being added
   std::map<std::uint32_t, std::int64_t> frames_;
   std::map<std::uint32_t, std::vector<MappedMaterial>> vertex_materials_;
 };
