@@ -28,7 +28,7 @@ bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {
     const Vec3 p = ray.at(t);
     if (p.z >= 0 && p.z <= 1) {
       hit.t = t;
-      hit.normal = Vec3(p.x, p.y, 0);
+      hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
       return true;
     }
   }

@@ -2,7 +2,8 @@
 
 namespace trace {
 
-bool Sphere::intersect(const Ray& ray, LocalHit& hit) const {
+bool Sphere::intersect(const Ray& given, LocalHit& hit) const {
+  const Ray ray{given.origin, glm::normalize(given.direction)};
   const Vec3 to_centre = -ray.origin;
   const double b = glm::dot(to_centre, ray.direction);
   const double discriminant = b * b - glm::dot(to_centre, to_centre) + 1;

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
 
 namespace trace {
 
@@ -22,10 +21,6 @@ using Rgb = glm::dvec3;
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
-
-// What a pixel is where the language gives no colour: a surface without a normal, a light without a direction. It
-// spreads through sums and products and ends as black.
-inline const Rgb undefined_color{std::numeric_limits<double>::quiet_NaN()};
 
 inline bool is_zero(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 

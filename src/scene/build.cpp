@@ -47,7 +47,6 @@ class SceneBuilder {
 
   void add(const parser::DirectionalLight& light) {
     const Vec3 towards = -glm::normalize(vector(light.direction));
-    if (!is_finite(towards)) scene_.light_may_be_undefined = true;
     scene_.lights.emplace_back(DirectionalLight{vector(light.color), towards});
   }
 
@@ -104,7 +103,7 @@ class SceneBuilder {
     scene_.has_transmissive_objects = true;
     const Rgb& kt = material.transmissive;
     if (!(glm::all(glm::greaterThanEqual(kt, Rgb(0))) && glm::all(glm::lessThanEqual(kt, Rgb(1))))) {
-      scene_.light_may_be_undefined = true;
+      scene_.shadow_may_be_undefined = true;
     }
   }
 

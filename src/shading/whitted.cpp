@@ -13,10 +13,9 @@ WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth)
   const Hit hit = tree_.closest(ray, options_.backface_culling && kind != Kind::refraction);
   if (!hit) return {scene_.cube_map ? scene_.cube_map->lookup(ray.direction) : Rgb(0), -1};
   const Surface surface(scene_, ray, hit, options_.smooth_shading);
-  if (!is_finite(surface.normal())) return {undefined_color, hit.t};
 
   Rgb color = shade_locally(scene_, tree_, options_, surface, ray.direction, counts_);
-  if (depth > 0) {
+  if (depth > 0 && is_finite(surface.normal())) {
     const bool inside = glm::dot(surface.normal(), ray.direction) > 0;
     if (surface.material().reflects() && (!inside || options_.internal_reflection)) {
       color += reflected(ray, surface, inside, depth);
@@ -30,7 +29,11 @@ Rgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, bool inside
   const Material& material = surface.material();
   const Vec3 &d = ray.direction, &n = surface.normal();
   ++counts_.reflected;
-  const Ray mirrored{surface.point(), glm::normalize(d - 2 * glm::dot(n, d) * n)};
+  // Split along and across the normal, and not normalized again: this form is the one whose last bits show in the
+  // course's pictures of cube maps.
+  const Vec3 along = glm::dot(n, -d) * n;
+  const Vec3 across = along + d;
+  const Ray mirrored{surface.point(), along + across};
   const Result seen = trace(mirrored, Kind::reflection, depth - 1);
   // Inside glass the light has come through it.
   if (inside && material.transmits()) {
@@ -45,11 +48,12 @@ Rgb WhittedTracer::refracted(const Ray& ray, const Surface& surface, bool inside
   const Vec3 n = inside ? -surface.normal() : surface.normal();
   const double index = luminance(material.index);
   const double eta = inside ? index : 1 / index;
-  const double cosine = -glm::dot(n, d);
-  const double k = 1 - eta * eta * (1 - cosine * cosine);
+  // Snell's law, split as in reflected().
+  const Vec3 across = eta * (d - glm::dot(n, d) * n);
+  const double k = 1 - glm::dot(across, across);
   if (!(k >= 0)) return Rgb(0);  // total internal reflection: only the reflected ray goes on
   ++counts_.refracted;
-  const Ray bent{surface.point(), glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n)};
+  const Ray bent{surface.point(), across - std::sqrt(k) * n};
   const Result seen = trace(bent, Kind::refraction, depth - 1);
   // Beer's law with the material that is entered, over the way to whatever is hit next.
   if (inside) return seen.color;
