@@ -99,6 +99,7 @@ void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
       while (mask != 0) {
         const int child = __builtin_ctz(mask);
         mask &= mask - 1;
+        if (node.child[child] == 0 && node.count[child] == 0) continue;  // none; but NaN passes its box
         const Entry next{distance[child], node.child[child], node.count[child]};
         std::size_t at = size++;
         for (; at > base && stack[at - 1].t < next.t; --at) stack[at] = stack[at - 1];
