@@ -19,8 +19,7 @@ bool Builder::version(double number, Span span) {
   return false;
 }
 
-// --- materials
-// ------------------------------------------------------------------------------------------------
+// --- materials ---------------------------------------------------------------------------------------------
 
 MaterialBlock Builder::assign(MaterialBlock block, Parameter parameter, MaterialAssignment value, Span span) {
   value.parameter = parameter;
@@ -63,8 +62,7 @@ Material Builder::reference(Name name) {
   return {std::move(name), span};
 }
 
-// --- elements
-// -------------------------------------------------------------------------------------------------
+// --- elements ----------------------------------------------------------------------------------------------
 
 ElementId Builder::open(decltype(Element::what) what, Span keyword) {
   Element& element = scene_.elements.emplace_back();
@@ -108,8 +106,7 @@ ElementId Builder::end_primitive(Span span) {
   return element;
 }
 
-// --- meshes
-// ---------------------------------------------------------------------------------------------------
+// --- meshes ------------------------------------------------------------------------------------------------
 
 void Builder::begin_mesh(Span keyword) {
   begin_primitive(MeshId{static_cast<std::uint32_t>(scene_.meshes.size())}, keyword);

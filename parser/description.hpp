@@ -29,8 +29,7 @@ using Vector3 = Located<std::array<double, 3>>;
 using Vector4 = Located<std::array<double, 4>>;
 using Name = Located<std::string>;
 
-// --- materials
-// ------------------------------------------------------------------------------------------------
+// --- materials ---------------------------------------------------------------------------------------------
 
 enum class Parameter : std::uint8_t {
   emissive,
@@ -69,8 +68,7 @@ struct Material {
   Span span;
 };
 
-// --- cameras and lights
-// ---------------------------------------------------------------------------------------
+// --- cameras and lights ------------------------------------------------------------------------------------
 
 // One camera block. Blocks accumulate: an attribute of a later block replaces that of an earlier one.
 // viewdir and updir are both given or both absent.
@@ -97,8 +95,7 @@ struct PointLight {
   Span span;
 };
 
-// --- elements
-// -------------------------------------------------------------------------------------------------
+// --- elements ----------------------------------------------------------------------------------------------
 
 // One list `points = (...)`, `normals = (...)`, ... of a mesh: entries [first, first + count) of the flat
 // array. An entry is a number of `points` and `normals` (three a point), an index of `corners`, a material.
@@ -183,8 +180,7 @@ struct Element {
   ElementId next_sibling = no_element;
 };
 
-// --- the scene
-// ------------------------------------------------------------------------------------------------
+// --- the scene ---------------------------------------------------------------------------------------------
 
 // What stands at the top level, in file order. An ElementId is the root of a tree in `elements`.
 using Item = std::variant<Camera, AmbientLight, DirectionalLight, PointLight, Material, ElementId>;
