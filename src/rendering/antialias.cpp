@@ -36,17 +36,18 @@ std::vector<std::uint8_t> mark(const Image& image, double threshold) {
 void antialias(FrameRenderer& frame, Image& image) {
   const int n = frame.options().antialiasing.supersamples;
   const std::vector<std::uint8_t> marks = mark(image, frame.options().antialiasing.threshold * 0.001);
+  // Samples lie on the grid of a picture n times as large: column k of it is at k * (1 / columns), in this form,
+  // which decides whether a sample touches a silhouette.
   const double step_x = 1.0 / (static_cast<double>(image.width) * n);
   const double step_y = 1.0 / (static_cast<double>(image.height) * n);
 
   const auto refine = [&](const FrameRenderer::Sampler& sampler, int i, int j) {
     std::uint8_t* p = pixel(image, i, j);
-    Rgb sum(0);
-    double x = i / static_cast<double>(image.width);
-    for (int a = 0; a < n; ++a, x += step_x) {
-      double y = j / static_cast<double>(image.height);
-      for (int b = 0; b < n; ++b, y += step_y) {
-        sum += a == 0 && b == 0 ? Rgb(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0) : clamped(sampler.at(x, y));
+    Rgb sum(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0);
+    for (int a = 0; a < n; ++a) {
+      for (int b = a == 0 ? 1 : 0; b < n; ++b) {
+        sum += clamped(sampler.at((static_cast<double>(i) * n + a) * step_x,
+                                  (static_cast<double>(j) * n + b) * step_y));
       }
     }
     set_pixel(image, i, j, sum / static_cast<double>(n * n));
