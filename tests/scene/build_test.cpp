@@ -55,13 +55,13 @@ TEST_CASE("a directional light shines along its direction, of any length") {
   const auto& light = std::get<DirectionalLight>(scene.lights[0]);
   CHECK(light.towards == near(0, 0.6, 0.8));
   CHECK(light.color == Rgb(1, 2, 3));
-  CHECK_FALSE(scene.light_may_be_undefined);
 }
 
-TEST_CASE("a light without a direction is noted") {
+TEST_CASE("a scene knows whether transmission leaves the range that keeps shadows finite") {
+  const double kt = GENERATE(0.0, 0.5, 1.0, 1.5, -0.5);
   Describe d;
-  d.top(parser::DirectionalLight{v(0, 0, 0), v(1, 1, 1), {}});
-  CHECK(build(d).scene.light_may_be_undefined);
+  d.top(primitive(parser::Sphere{}, {block({is(Parameter::transmissive, 1, kt, 0)})}));
+  CHECK(build(d).scene.shadow_may_be_undefined == (kt < 0 || kt > 1));
 }
 
 TEST_CASE("a point light keeps its given coefficients as 32-bit numbers and defaults to 1 / s^2") {

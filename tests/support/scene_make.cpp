@@ -17,7 +17,7 @@ void note(Scene& scene, const Material& material) {
   if (material.transmits()) scene.has_transmissive_objects = true;
   for (int channel = 0; channel < 3; ++channel) {
     const double kt = material.transmissive[channel];
-    if (kt < 0 || kt > 1) scene.light_may_be_undefined = true;
+    if (kt < 0 || kt > 1) scene.shadow_may_be_undefined = true;
   }
 }
 
