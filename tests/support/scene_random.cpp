@@ -1,0 +1,118 @@
+#include "tests/support/scene_random.hpp"
+
+namespace trace::test {
+namespace {
+
+Mesh random_mesh(Random& random) {
+  Mesh mesh;
+  const std::uint32_t points = 3 + random.below(12);
+  const bool on_grid = random.below(2) == 0;
+  for (std::uint32_t i = 0; i < points; ++i)
+    mesh.points.push_back(on_grid ? random.on_grid(1, 1) : random.in_cube(1));
+  for (std::uint32_t i = 0; i < 2 * points; ++i) {
+    const std::uint32_t corners[] = {random.below(points), random.below(points), random.below(points)};
+    add_polygon(mesh, corners, 3);
+  }
+  return mesh;
+}
+
+Mat4 random_place(Random& random, double unit) {
+  if (random.below(2) == 0) {
+    Mat4 place = glm::translate(Mat4(1), unit * random.on_grid(4, 0.5)) * scaled(unit);
+    if (random.below(2) == 0) {
+      Vec3 axis(0);
+      axis[static_cast<int>(random.below(3))] = 1;
+      place = place * glm::rotate(Mat4(1), std::acos(0.0) * (1 + random.below(3)), axis);
+    }
+    return place;
+  }
+  const Vec3 scale = unit * (Vec3(0.3) + 0.7 * glm::abs(random.in_cube(1)));
+  return glm::translate(Mat4(1), unit * random.in_cube(5)) *
+         glm::rotate(Mat4(1), random.between(0, 6), random.in_cube(1) + Vec3(0, 0, 1.5)) *
+         glm::scale(Mat4(1), random.below(4) == 0 ? -scale : scale);
+}
+
+bool nearest_face(const Mesh& mesh, const Ray& ray, bool cull, LocalHit& hit) {
+  bool found = false;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    const Triangle triangle = mesh.triangle(face);
+    TriangleHit candidate;
+    if (!intersect(triangle, ray, candidate) || (found && candidate.t >= hit.t)) continue;
+    if (cull && glm::dot(glm::cross(triangle.ab, triangle.ac), ray.direction) > 0) continue;
+    hit = {candidate.t, {0, 0, 1}, {candidate.u, candidate.v}, face};
+    found = true;
+  }
+  return found;
+}
+
+}  // namespace
+
+Scene random_scene(Random& random, int size, double unit) {
+  Scene scene;
+  for (int i = 0; i < size; ++i) {
+    const Mat4 place = random_place(random, unit);
+    switch (random.below(6)) {
+      case 0:
+        add(scene, Sphere{}, place, Material{});
+        break;
+      case 1:
+        add(scene, Box{}, place, Material{});
+        break;
+      case 2:
+        add(scene, Square{}, place, Material{});
+        break;
+      case 3:
+        add(scene, Cylinder{}, place, Material{});
+        break;
+      case 4:
+        add(scene, Cone(1, random.between(0, 2), 1, random.below(2) == 0), place, Material{});
+        break;
+      default: {
+        const Mesh mesh = random_mesh(random);
+        if (!mesh.faces.empty()) add(scene, mesh, place, Material{});
+      }
+    }
+  }
+  return scene;
+}
+
+Ray random_ray(Random& random, double unit) {
+  const Vec3 origin = unit * (random.below(2) == 0 ? random.on_grid(16, 0.25) : random.in_cube(8));
+  Vec3 direction(0);
+  while (direction == Vec3(0)) {
+    switch (random.below(3)) {
+      case 0:
+        direction = random.on_grid(1, 1);
+        break;  // an axis, or a diagonal of a face or of the cube
+      case 1:
+        direction = random.in_cube(1) * random.on_grid(1, 1);
+        break;  // zeros and negative zeros
+      default:
+        direction = unit * random.in_cube(3) - origin;  // towards the middle
+    }
+  }
+  return {origin, glm::normalize(direction)};
+}
+
+Hit closest_of_all(const Scene& scene, const Ray& ray, bool cull) {
+  Hit best;
+  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
+    const Object& object = scene.objects[id];
+    if (!hits_bounds(object.bounds, ray)) continue;
+    const ObjectRay local(scene.frames[object.frame], ray);
+    LocalHit hit;
+    const bool found = std::visit(
+        [&](const auto& shape) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, MeshId>) {
+            return nearest_face(scene.meshes[shape.index].geometry, local.ray, cull, hit);
+          } else {
+            return shape.intersect(local.ray, hit);
+          }
+        },
+        object.shape);
+    if (found && hit.t / local.scale < best.t) best = {hit.t / local.scale, id, hit};
+  }
+  return best;
+}
+
+}  // namespace trace::test
