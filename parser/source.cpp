@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t largest_file = 0xffffffffu;
 
 [[noreturn]] void fail(const std::string& name, const std::string& reason) {
-  throw std::runtime_error("cannot read scene '" + name + "': " + reason);
+  throw std::runtime_error("cannot read '" + name + "': " + reason);
 }
 
 std::string reason_of(int error) {

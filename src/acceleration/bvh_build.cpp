@@ -24,14 +24,21 @@ struct Box3f {
   }
 };
 
-// The tightest 32-bit box around `b`.
+// The tightest 32-bit box around `b` and some slack: the exact formulas work in the space of the object and hit up to
+// its edge there, which the box misses by the rounding of the object's place, some 2^-50 of its largest coordinate.
 Box3f rounded_outward(const Bounds& b) {
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::abs(b.min[axis]), std::abs(b.max[axis])});
+  }
+  const double slack = 0x1p-40 * largest;
   Box3f result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.low[axis] = static_cast<float>(b.min[axis]);
-    if (result.low[axis] > b.min[axis]) result.low[axis] = std::nextafter(result.low[axis], -Box3f::inf);
-    result.high[axis] = static_cast<float>(b.max[axis]);
-    if (result.high[axis] < b.max[axis]) result.high[axis] = std::nextafter(result.high[axis], Box3f::inf);
+    const double low = b.min[axis] - slack, high = b.max[axis] + slack;
+    result.low[axis] = static_cast<float>(low);
+    if (result.low[axis] > low) result.low[axis] = std::nextafter(result.low[axis], -Box3f::inf);
+    result.high[axis] = static_cast<float>(high);
+    if (result.high[axis] < high) result.high[axis] = std::nextafter(result.high[axis], Box3f::inf);
   }
   return result;
 }

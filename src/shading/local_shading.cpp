@@ -25,12 +25,12 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
     if (!transmits) return color;
     normal = -normal;
   }
+  const double shininess = luminance(material.shininess);
   // A surface that sends nothing of a light needs no shadow ray, unless 0 times what comes back is not 0.
-  const bool may_skip = !scene.shadow_may_be_undefined;
+  const bool may_skip = !scene.shadow_may_be_undefined && shininess >= 0;
   if (may_skip && is_zero(material.diffuse) && is_zero(material.specular)) return color;
 
   const Vec3 to_viewer = -toward_surface;
-  const double shininess = luminance(material.shininess);
   for (const Light& light : scene.lights) {
     const LightSample sample = std::visit([&](const auto& l) { return l.sample(surface.point()); }, light);
     const Rgb& light_color = std::visit([](const auto& l) -> const Rgb& { return l.color; }, light);

@@ -48,9 +48,9 @@ TEST_CASE("a file is read byte for byte, whatever its size, and NUL bytes follow
 
 TEST_CASE("a file that cannot be read says why") {
   const TemporaryFolder folder;
-  CHECK_THROWS_WITH(Source::from_file("nowhere.ray"), "cannot read scene 'nowhere.ray': no such file");
+  CHECK_THROWS_WITH(Source::from_file("nowhere.ray"), "cannot read 'nowhere.ray': no such file");
   CHECK_THROWS_WITH(Source::from_file(folder.path()),
-                    "cannot read scene '" + folder.path() + "': it is a directory");
+                    "cannot read '" + folder.path() + "': it is a directory");
 }
 
 TEST_CASE("a text knows its name and stands in the current folder") {
