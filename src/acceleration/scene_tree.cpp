@@ -4,6 +4,7 @@ namespace trace {
 namespace {
 
 constexpr std::uint32_t max_leaf = 2;
+constexpr std::size_t max_unsorted = 3;  // so few objects are sooner tested than sorted
 
 // The world ray in the space of one object after another; objects of the same frame share the work.
 class FrameRays {
@@ -28,20 +29,35 @@ class FrameRays {
 }  // namespace
 
 SceneTree::SceneTree(const Scene& scene) : scene_(scene) {
-  std::vector<Bounds> boxes;
-  boxes.reserve(scene.objects.size());
-  for (const Object& object : scene.objects) boxes.push_back(object.bounds);
-  bvh_ = build_bvh(boxes, max_leaf);
+  if (scene.objects.size() > max_unsorted) {
+    std::vector<Bounds> boxes;
+    boxes.reserve(scene.objects.size());
+    for (const Object& object : scene.objects) boxes.push_back(object.bounds);
+    bvh_ = build_bvh(boxes, max_leaf);
+  }
   meshes_.reserve(scene.meshes.size());
   for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry);
+}
+
+template <class Leaf>
+void SceneTree::visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const {
+  if (bvh_.nodes.empty()) {
+    leaf(0, static_cast<std::uint32_t>(scene_.objects.size()), limit);
+  } else {
+    traverse(bvh_, BvhRay(ray), limit, leaf);
+  }
+}
+
+std::uint32_t SceneTree::object_at(std::uint32_t place) const {
+  return bvh_.nodes.empty() ? place : bvh_.order[place];
 }
 
 Hit SceneTree::closest(const Ray& ray, bool cull) const {
   Hit best;
   FrameRays rays(scene_, ray);
-  traverse(bvh_, BvhRay(ray), best.t, [&](std::uint32_t first, std::uint32_t count, double) {
+  visit_leaves(ray, best.t, [&](std::uint32_t first, std::uint32_t count, double) {
     for (std::uint32_t i = first; i < first + count; ++i) {
-      const std::uint32_t id = bvh_.order[i];
+      const std::uint32_t id = object_at(i);
       const Object& object = scene_.objects[id];
       if (!hits_bounds(object.bounds, ray)) continue;
       const ObjectRay& local = rays.in(object.frame);
@@ -67,9 +83,9 @@ Hit SceneTree::closest(const Ray& ray, bool cull) const {
 bool SceneTree::occluded(const Ray& ray, double limit) const {
   bool found = false;
   FrameRays rays(scene_, ray);
-  traverse(bvh_, BvhRay(ray), limit, [&](std::uint32_t first, std::uint32_t count, double current) {
+  visit_leaves(ray, limit, [&](std::uint32_t first, std::uint32_t count, double current) {
     for (std::uint32_t i = first; i < first + count; ++i) {
-      const Object& object = scene_.objects[bvh_.order[i]];
+      const Object& object = scene_.objects[object_at(i)];
       if (!hits_bounds(object.bounds, ray)) continue;
       const ObjectRay& local = rays.in(object.frame);
       found = std::visit(

@@ -30,8 +30,13 @@ class SceneTree {
   bool occluded(const Ray& ray, double limit) const;
 
  private:
+  // Calls leaf(first, count, limit) as traverse() does; `first` counts in the order that object_at() resolves.
+  template <class Leaf>
+  void visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const;
+  std::uint32_t object_at(std::uint32_t place) const;
+
   const Scene& scene_;
-  Bvh bvh_;
+  Bvh bvh_;  // empty for a handful of objects, which are all tested
   std::vector<MeshTree> meshes_;  // as Scene::meshes
 };
 

@@ -1,6 +1,7 @@
 // What to render of a scene.
 #pragma once
 
+#include "image/size_limits.hpp"
 #include "shading/options.hpp"
 #include "shading/whitted.hpp"
 
@@ -26,8 +27,7 @@ struct RenderOptions {
   BlockInterpolation blocks;
 };
 
-inline constexpr int max_width = 65'536;
-inline constexpr double max_pixels = 268'435'456;  // 2^28
+inline constexpr int max_width = max_side;
 inline constexpr int max_supersamples = 64;
 inline constexpr int max_block_size = 4096;
 

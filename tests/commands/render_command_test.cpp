@@ -150,7 +150,8 @@ TEST_CASE("a picture out of bounds is an error at the aspect ratio") {
   const Outcome high = desk.trace("a.ray out.png");
   CHECK(high.status == 1);
   CHECK_THAT(high.errors, Catch::StartsWith("a.ray:2:24: error: a picture 512 pixels wide would be 51200000 pixels "
-                                            "high at this aspect ratio; the limit is 268435456 pixels in all\n"));
+                                            "high at this aspect ratio; the limits are 65536 pixels a side and 268435456 in "
+                                            "all\n"));
   write_text(desk.folder.path() / "a.ray", "SBT-raytracer 1.0\ncamera { aspectratio = 1e5; }\n");
   const Outcome flat = desk.trace("a.ray out.png");
   CHECK(flat.status == 1);

@@ -26,11 +26,10 @@ void check_size(const Scene& scene, int width, parser::Span span, parser::Diagno
   const double height = picture_height(scene, width);
   if (!(height >= 1)) {
     diagnostics.error(span, fmt::format("a picture {} pixels wide would have no rows at this aspect ratio", width));
-  } else if (!(height * width <= max_pixels)) {
-    diagnostics.error(span,
-                      fmt::format("a picture {} pixels wide would be {:.0f} pixels high at this aspect ratio; the "
-                                  "limit is {:.0f} pixels in all",
-                                  width, height, max_pixels));
+  } else if (!(height <= max_side && height * width <= max_pixels)) {
+    diagnostics.error(span, fmt::format("a picture {} pixels wide would be {:.0f} pixels high at this aspect ratio; "
+                                        "the limits are {} pixels a side and {} in all",
+                                        width, height, max_side, max_pixels));
   }
 }
 
