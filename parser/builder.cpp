@@ -130,7 +130,6 @@ void Builder::vertex_materials(std::vector<Material> materials, Span span) {
   std::vector<Material>& all = mesh().vertex_materials;
   mesh().material_lists.push_back({{all.size(), materials.size(), span}, primitive_.materials.size()});
   if (all.empty()) {
-    primitive_.materials_before_list = primitive_.materials.size();
     all = std::move(materials);
   } else {
     all.insert(all.end(), std::make_move_iterator(materials.begin()),

@@ -142,14 +142,10 @@ struct Box {};
 struct Square {};
 struct Cylinder {};
 
-// A mesh's vertex materials inherit from the material that stood at that point of the block: where a
-// `material =` follows the list inside the block, `materials_before_list` is how many of `materials` precede
-// it (the first, where there are several lists; Mesh::material_lists has them all).
 struct Primitive {
   std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId> shape;
   std::vector<Material> materials;  // each `material =` in order; the last one counts
   std::optional<Name> name;
-  std::size_t materials_before_list = 0;
 };
 
 struct Group {};

@@ -1,7 +1,7 @@
 // Vectors, matrices and colours: GLM in double precision, column vectors.
 //
 // The order of GLM's operations is part of the picture: dot sums from left to right, a matrix times a vector is
-// (m0 x + m1 y) + (m2 z + m3 w), normalize multiplies by 1/sqrt(v.v). SEMANTICS (docs/language.md) section 13.
+// (m0 x + m1 y) + (m2 z + m3 w), normalize multiplies by 1/sqrt(v.v). docs/language.md section 13.
 #pragma once
 
 #include <cmath>

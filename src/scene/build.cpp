@@ -156,12 +156,12 @@ class SceneBuilder {
   std::optional<Shape> make_shape(const parser::MeshId& id, const GraphObject& object) {
     parser::Mesh& said = description_.meshes[id.index];
     std::vector<MappedMaterial> materials;
-    if (!said.vertex_materials.empty()) {
-      const std::size_t before = object.primitive->materials_before_list;
-      const MappedMaterial& base = inherited(object.inherits).material;
-      const MappedMaterial own = before == 0 ? base : own_materials_[before - 1];
-      materials.reserve(said.vertex_materials.size());
-      for (const parser::Material& m : said.vertex_materials) materials.push_back(resolver_.resolve(m, own));
+    materials.reserve(said.vertex_materials.size());
+    for (const auto& [list, before] : said.material_lists) {
+      const MappedMaterial own = before == 0 ? inherited(object.inherits).material : own_materials_[before - 1];
+      for (std::size_t i = 0; i < list.count; ++i) {
+        materials.push_back(resolver_.resolve(said.vertex_materials[list.first + i], own));
+      }
     }
     Mesh mesh = take_mesh(said);
     if (mesh.faces.empty()) return std::nullopt;

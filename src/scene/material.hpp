@@ -34,7 +34,7 @@ using TextureId = std::int32_t;
 inline constexpr TextureId no_texture = -1;
 
 // A material whose parameters may be maps. A map for `reflective` or `transmissive` is left out: the surface
-// neither mirrors nor lets light through (SEMANTICS section 6).
+// neither mirrors nor lets light through (docs/language.md section 6).
 struct MappedMaterial {
   Material values;
   TextureId emissive = no_texture, ambient = no_texture, diffuse = no_texture, specular = no_texture;

@@ -5,7 +5,7 @@
 
 namespace trace {
 
-// SEMANTICS section 7. `toward_surface` is the direction of the ray that sees the surface. An opaque surface seen
+// docs/language.md section 7. `toward_surface` is the direction of the ray that sees the surface. An opaque surface seen
 // from its back has only emission and ambient light; a transmissive one is shaded with its normal turned to the
 // viewer. A surface without a normal has only emission and ambient light too, and a light without a direction (none
 // given, or the light in the surface) adds nothing.

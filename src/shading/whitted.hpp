@@ -1,5 +1,5 @@
 // The ray tree: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980, with the course's
-// rules for what is attenuated where (SEMANTICS section 6).
+// rules for what is attenuated where (docs/language.md section 6).
 #pragma once
 
 #include "shading/options.hpp"

@@ -15,7 +15,7 @@ const std::filesystem::path textures = std::filesystem::path(TRACE_SOURCE_DIR) /
 
 using Direction = std::array<int, 3>;
 
-// The direction in which one sees the texel (a, b) of a face (SEMANTICS.md, section 10), where a and b go
+// The direction in which one sees the texel (a, b) of a face (docs/language.md, section 10), where a and b go
 // from -last to last and b goes up.
 Direction direction(const std::string& face, int a, int b, int last) {
   if (face == "posx") return {last, b, a};

@@ -117,8 +117,8 @@ TEST_CASE("a mesh knows which material its vertex materials inherit from") {
   const auto& primitive = std::get<Primitive>(root(scene, 0).what);
   const Mesh& mesh = scene.meshes.at(std::get<MeshId>(primitive.shape).index);
   CHECK(primitive.materials.size() == 2);
-  CHECK(primitive.materials_before_list == 1);
   REQUIRE(mesh.material_lists.size() == 2);
+  CHECK(mesh.material_lists[0].materials_before == 1);
   CHECK(mesh.material_lists[1].materials_before == 2);
   CHECK(mesh.material_lists[1].list.first == 2);
   CHECK(mesh.vertex_materials.size() == 3);

@@ -1,4 +1,4 @@
-// SEMANTICS section 12.
+// docs/language.md section 12.
 #include "rendering/blocks.hpp"
 
 #include "tests/support/numbers_near.hpp"

@@ -26,7 +26,7 @@ int face(const Vec3& d) {
 struct Case {
   Vec3 direction;
   int face;
-  double u2, v2;  // 2u - 1 and 2v - 1 by SEMANTICS section 10
+  double u2, v2;  // 2u - 1 and 2v - 1 by docs/language.md section 10
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// SEMANTICS section 2: what is not assigned is inherited.
+// docs/language.md section 2: what is not assigned is inherited.
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_describe.hpp"
 

@@ -1,4 +1,4 @@
-// SEMANTICS section 7 on a unit square in the plane z = 0 seen from the front, unless said.
+// docs/language.md section 7 on a unit square in the plane z = 0 seen from the front, unless said.
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 

@@ -1,4 +1,4 @@
-// Reflected rays of SEMANTICS section 6.
+// Reflected rays of docs/language.md section 6.
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 

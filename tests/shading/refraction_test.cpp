@@ -1,4 +1,4 @@
-// Refracted rays of SEMANTICS section 6.
+// Refracted rays of docs/language.md section 6.
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 

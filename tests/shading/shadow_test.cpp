@@ -1,4 +1,4 @@
-// SEMANTICS section 8: from the origin towards a light along +z, with what stands between.
+// docs/language.md section 8: from the origin towards a light along +z, with what stands between.
 #include "shading/shadow.hpp"
 
 #include "tests/support/numbers_near.hpp"

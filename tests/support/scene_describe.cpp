@@ -48,9 +48,10 @@ parser::ElementId Describe::element(decltype(parser::Element::what) what,
 
 parser::ElementId Describe::mesh(parser::Mesh mesh, std::vector<parser::Material> materials,
                                  std::size_t materials_before_list) {
+  for (parser::MaterialList& list : mesh.material_lists) list.materials_before = materials_before_list;
   scene.meshes.push_back(std::move(mesh));
   const parser::MeshId id{static_cast<std::uint32_t>(scene.meshes.size() - 1)};
-  return element(parser::Primitive{id, std::move(materials), {}, materials_before_list});
+  return element(parser::Primitive{id, std::move(materials), {}});
 }
 
 parser::Mesh triangle_mesh(std::vector<parser::Material> materials) {

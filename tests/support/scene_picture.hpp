@@ -18,7 +18,7 @@ inline int red(const Image& image, int i, int j) {
   return pixel(image, i, j)[0];
 }
 
-// The camera of SEMANTICS' experiments.
+// The camera of the reference's picture cases.
 inline Camera usual_camera() {
   Camera camera;
   camera.eye = {0, 0, 5};

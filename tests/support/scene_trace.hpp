@@ -23,7 +23,7 @@ inline Rgb seen(const Scene& scene, const Ray& ray, int depth = 0, const Shading
   return traced(scene, ray, depth, options).color;
 }
 
-// From (0, 0, 5) along -z, as the camera of most experiments of SEMANTICS looks.
+// From (0, 0, 5) along -z, as the camera of most picture cases looks.
 inline Ray from_front() {
   return {{0, 0, 5}, {0, 0, -1}};
 }
