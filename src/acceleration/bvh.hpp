@@ -28,8 +28,8 @@ struct Bvh {
   std::vector<std::uint32_t> order;  // items in the order of the leaves
 };
 
-// Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007),
-// two children at a time, then collapsed to four. `max_leaf` (1 to 255) is the largest leaf wanted.
+// Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
+// 2007), two children at a time, then collapsed to four. `max_leaf` (1 to 255) is the largest leaf wanted.
 Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf);
 
 // A binary tree of at most this depth; deeper ranges are halved by count, which adds at most 32 levels.
@@ -38,12 +38,12 @@ inline constexpr int max_bvh_depth = max_sah_depth + 32;
 
 // The ray as the boxes see it.
 //
-// In exact arithmetic a slab is met at (plane - o) / d. Here o is rounded to float (error <= 2^-24 |o|) and the
-// difference and product round again. The planes are therefore moved apart by e = 2^-22 |o|, which covers the
-// first with room for the rounding of hits themselves (double, some 2^-50 |o|), and the inverse is made smaller
-// for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that are relative to
-// the distance. d = 0 gives an infinite inverse: the slab is then all or nothing, and 0 * inf = NaN, a ray within
-// a boundary plane, passes because the minimum and maximum below keep the other operand.
+// In exact arithmetic a slab is met at (plane - o) / d. Here o is rounded to float (error <= 2^-24 |o|) and
+// the difference and product round again. The planes are therefore moved apart by e = 2^-22 |o|, which covers
+// the first with room for the rounding of hits themselves (double, some 2^-50 |o|), and the inverse is made
+// smaller for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that are
+// relative to the distance. d = 0 gives an infinite inverse: the slab is then all or nothing, and 0 * inf =
+// NaN, a ray within a boundary plane, passes because the minimum and maximum below keep the other operand.
 struct BvhRay {
   float near_origin[3], far_origin[3];
   float near_inverse[3], far_inverse[3];
@@ -53,11 +53,13 @@ struct BvhRay {
 };
 
 // A distance in double as an upper limit for boxes, which may be off by the relative error above.
-inline float upper_limit(double t) { return static_cast<float>(t * (1 + 0x1p-20)); }
+inline float upper_limit(double t) {
+  return static_cast<float>(t * (1 + 0x1p-20));
+}
 
-// Calls leaf(first, count, limit) for each leaf that the ray may touch within `limit`, near ones first as far as
-// boxes tell. `first` counts in Bvh::order. The call returns the limit from then on: unchanged, the t of a nearer
-// hit, or a negative number to end.
+// Calls leaf(first, count, limit) for each leaf that the ray may touch within `limit`, near ones first as far
+// as boxes tell. `first` counts in Bvh::order. The call returns the limit from then on: unchanged, the t of a
+// nearer hit, or a negative number to end.
 template <class Leaf>
 void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
   if (bvh.nodes.empty()) return;
@@ -88,7 +90,8 @@ void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
       for (int axis = 0; axis < 3; ++axis) {
         const float* near_plane = ray.negative[axis] ? node.high[axis] : node.low[axis];
         const float* far_plane = ray.negative[axis] ? node.low[axis] : node.high[axis];
-        enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(near_plane), near_o[axis]), near_i[axis]), enter);
+        enter =
+            _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(near_plane), near_o[axis]), near_i[axis]), enter);
         leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(far_plane), far_o[axis]), far_i[axis]), leave);
       }
       auto mask = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));

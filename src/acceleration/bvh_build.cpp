@@ -24,8 +24,9 @@ struct Box3f {
   }
 };
 
-// The tightest 32-bit box around `b` and some slack: the exact formulas work in the space of the object and hit up to
-// its edge there, which the box misses by the rounding of the object's place, some 2^-50 of its largest coordinate.
+// The tightest 32-bit box around `b` and some slack: the exact formulas work in the space of the object and
+// hit up to its edge there, which the box misses by the rounding of the object's place, some 2^-50 of its
+// largest coordinate.
 Box3f rounded_outward(const Bounds& b) {
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -80,8 +81,8 @@ class Builder {
     return std::isfinite(c) ? c : 0.0f;
   }
 
-  // The subtree of n items takes the 2n - 1 nodes from `node` on, so that halves can be built side by side and the
-  // result does not depend on how they ran.
+  // The subtree of n items takes the 2n - 1 nodes from `node` on, so that halves can be built side by side
+  // and the result does not depend on how they ran.
   void split(std::uint32_t node, std::uint32_t first, std::uint32_t last, int depth) {
     BinaryNode& n = nodes_[node];
     n.box = {};
@@ -227,6 +228,8 @@ class Builder {
 
 }  // namespace
 
-Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf) { return Builder(items, max_leaf).build(); }
+Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf) {
+  return Builder(items, max_leaf).build();
+}
 
 }  // namespace trace

@@ -10,9 +10,9 @@ class MeshTree {
  public:
   explicit MeshTree(const Mesh& mesh);
 
-  // The nearest face, of faces at the same t the first in the file, no further than about `limit`; ray and t in
-  // the space of the mesh. With `cull`, faces seen from behind are passed over. The hit's part is the face, its uv
-  // the weights of the second and third corner; the normal is left alone.
+  // The nearest face, of faces at the same t the first in the file, no further than about `limit`; ray and t
+  // in the space of the mesh. With `cull`, faces seen from behind are passed over. The hit's part is the
+  // face, its uv the weights of the second and third corner; the normal is left alone.
   bool closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const;
 
   // Whether any face is hit at t / scale < limit, seen from either side; `limit` is a distance in the world.

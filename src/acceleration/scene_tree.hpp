@@ -22,21 +22,22 @@ class SceneTree {
   // Refers to `scene`, which must outlive it.
   explicit SceneTree(const Scene& scene);
 
-  // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen from
-  // behind are passed over.
+  // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen
+  // from behind are passed over.
   Hit closest(const Ray& ray, bool cull) const;
 
   // Whether anything is hit nearer than `limit`; no culling.
   bool occluded(const Ray& ray, double limit) const;
 
  private:
-  // Calls leaf(first, count, limit) as traverse() does; `first` counts in the order that object_at() resolves.
+  // Calls leaf(first, count, limit) as traverse() does; `first` counts in the order that object_at()
+  // resolves.
   template <class Leaf>
   void visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const;
   std::uint32_t object_at(std::uint32_t place) const;
 
   const Scene& scene_;
-  Bvh bvh_;  // empty for a handful of objects, which are all tested
+  Bvh bvh_;                       // empty for a handful of objects, which are all tested
   std::vector<MeshTree> meshes_;  // as Scene::meshes
 };
 

@@ -7,8 +7,8 @@ namespace trace {
 Bounds transformed(const Bounds& b, const Mat4& m) {
   Bounds result;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec4 p(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z,
-                 1);
+    const Vec4 p(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y,
+                 corner & 4 ? b.max.z : b.min.z, 1);
     result.add(Vec3(m * p));
   }
   return result;

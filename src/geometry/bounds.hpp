@@ -29,8 +29,8 @@ struct Bounds {
 // The box of the eight corners of `b` under `m`.
 Bounds transformed(const Bounds& b, const Mat4& m);
 
-// The language's own test before an object is intersected: slabs without tolerance, an axis along which the ray
-// does not move is passed over. It decides silhouette pixels, so it is not replaced by a safer one.
+// The language's own test before an object is intersected: slabs without tolerance, an axis along which the
+// ray does not move is passed over. It decides silhouette pixels, so it is not replaced by a safer one.
 bool hits_bounds(const Bounds& b, const Ray& ray);
 
 }  // namespace trace

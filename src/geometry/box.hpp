@@ -8,9 +8,9 @@ namespace trace {
 struct Box {
   Bounds bounds() const { return {Vec3(-0.5), Vec3(0.5)}; }
 
-  // Nearest face beyond min_t, edges included; of faces at the same t the first in the order -x -y -z +x +y +z.
-  // The normal points outward. Each face shows a whole texture: with lo < hi the two axes of the face,
-  // u = 1/2 -+ p[lo] (minus on the -x -y -z faces), v = 1/2 + p[hi].
+  // Nearest face beyond min_t, edges included; of faces at the same t the first in the order -x -y -z +x +y
+  // +z. The normal points outward. Each face shows a whole texture: with lo < hi the two axes of the face, u
+  // = 1/2 -+ p[lo] (minus on the -x -y -z faces), v = 1/2 + p[hi].
   bool intersect(const Ray& ray, LocalHit& hit) const;
 };
 

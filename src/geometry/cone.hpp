@@ -1,9 +1,9 @@
 // A cone or truncated cone around the z axis, from z = 0 to z = height, as the course draws it.
 //
-// Side: x^2 + y^2 = B^2 (z + g)^2 with B the slope of the radius and -g the height of the apex. Three habits of
-// the course's renderer are kept because its pictures show them: the z part of the side's normal is twice too
-// large, the far root is taken even where the near one is nearer and good, and the cap at z = height faces into
-// the cone.
+// Side: x^2 + y^2 = B^2 (z + g)^2 with B the slope of the radius and -g the height of the apex. Three habits
+// of the course's renderer are kept because its pictures show them: the z part of the side's normal is twice
+// too large, the far root is taken even where the near one is nearer and good, and the cap at z = height
+// faces into the cone.
 #pragma once
 
 #include "geometry/bounds.hpp"

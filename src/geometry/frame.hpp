@@ -13,8 +13,8 @@ struct Frame {
 
   explicit Frame(const Mat4& placement);
 
-  // Whether the inverse exists. Objects in a frame without one are not drawn (zero scale, rotation about a zero
-  // axis, singular transform).
+  // Whether the inverse exists. Objects in a frame without one are not drawn (zero scale, rotation about a
+  // zero axis, singular transform).
   bool invertible() const;
 
   Vec3 world_normal(const Vec3& n) const { return glm::normalize(normal_to_world * n); }

@@ -31,7 +31,8 @@ struct Mesh {
 void add_polygon(Mesh& mesh, const std::uint32_t* corners, std::uint32_t count);
 
 // `gennormals`: the normal of a point becomes (its given normal, if any, + the sum of the unit normals of the
-// faces around it) / the number of those faces. A face without area makes the normals of its corners undefined.
+// faces around it) / the number of those faces. A face without area makes the normals of its corners
+// undefined.
 void generate_normals(Mesh& mesh);
 
 }  // namespace trace

@@ -9,8 +9,8 @@ struct Sphere {
   Bounds bounds() const { return {Vec3(-1), Vec3(1)}; }
 
   // Nearest root of |o + t d|^2 = 1 beyond min_t, d of unit length: t = b -+ sqrt(b^2 - o.o + 1), b = -o.d.
-  // The normal points outward and has unit length. d is normalized once more here, as in the course's renderer: it
-  // changes the last bit, and that shows in cube maps.
+  // The normal points outward and has unit length. d is normalized once more here, as in the course's
+  // renderer: it changes the last bit, and that shows in cube maps.
   bool intersect(const Ray& ray, LocalHit& hit) const;
 };
 

@@ -1,4 +1,5 @@
-// Ray against triangle: Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1) 1997.
+// Ray against triangle: Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1)
+// 1997.
 #pragma once
 
 #include "geometry/ray.hpp"

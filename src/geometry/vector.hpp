@@ -1,7 +1,7 @@
 // Vectors, matrices and colours: GLM in double precision, column vectors.
 //
-// The order of GLM's operations is part of the picture: dot sums from left to right, a matrix times a vector is
-// (m0 x + m1 y) + (m2 z + m3 w), normalize multiplies by 1/sqrt(v.v). docs/language.md section 13.
+// The order of GLM's operations is part of the picture: dot sums from left to right, a matrix times a vector
+// is (m0 x + m1 y) + (m2 z + m3 w), normalize multiplies by 1/sqrt(v.v). docs/language.md section 13.
 #pragma once
 
 #include <cmath>
@@ -22,6 +22,8 @@ inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-inline bool is_zero(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+inline bool is_zero(const Rgb& c) {
+  return c.x == 0 && c.y == 0 && c.z == 0;
+}
 
 }  // namespace trace

@@ -36,8 +36,8 @@ std::vector<std::uint8_t> mark(const Image& image, double threshold) {
 void antialias(FrameRenderer& frame, Image& image) {
   const int n = frame.options().antialiasing.supersamples;
   const std::vector<std::uint8_t> marks = mark(image, frame.options().antialiasing.threshold * 0.001);
-  // Samples lie on the grid of a picture n times as large: column k of it is at k * (1 / columns), in this form,
-  // which decides whether a sample touches a silhouette.
+  // Samples lie on the grid of a picture n times as large: column k of it is at k * (1 / columns), in this
+  // form, which decides whether a sample touches a silhouette.
   const double step_x = 1.0 / (static_cast<double>(image.width) * n);
   const double step_y = 1.0 / (static_cast<double>(image.height) * n);
 
@@ -46,8 +46,8 @@ void antialias(FrameRenderer& frame, Image& image) {
     Rgb sum(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0);
     for (int a = 0; a < n; ++a) {
       for (int b = a == 0 ? 1 : 0; b < n; ++b) {
-        sum += clamped(sampler.at((static_cast<double>(i) * n + a) * step_x,
-                                  (static_cast<double>(j) * n + b) * step_y));
+        sum += clamped(
+            sampler.at((static_cast<double>(i) * n + a) * step_x, (static_cast<double>(j) * n + b) * step_y));
       }
     }
     set_pixel(image, i, j, sum / static_cast<double>(n * n));

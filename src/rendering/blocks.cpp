@@ -74,9 +74,10 @@ class Block {
 
 void render_blocks(FrameRenderer& frame, Image& image) {
   const BlockInterpolation& blocks = frame.options().blocks;
-  frame.for_each_tile(blocks.size, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
-    Block(sampler, image, blocks.threshold * 0.001, x0, y0, x1, y1).fill(x0, y0, x1 - 1, y1 - 1);
-  });
+  frame.for_each_tile(
+      blocks.size, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+        Block(sampler, image, blocks.threshold * 0.001, x0, y0, x1, y1).fill(x0, y0, x1 - 1, y1 - 1);
+      });
 }
 
 }  // namespace trace

@@ -9,11 +9,17 @@
 namespace trace {
 
 // A channel limited to [0, 1]; what is undefined (NaN) stays so.
-inline double clamped(double c) { return c < 0 ? 0 : (c > 1 ? 1 : c); }
-inline Rgb clamped(const Rgb& c) { return {clamped(c.x), clamped(c.y), clamped(c.z)}; }
+inline double clamped(double c) {
+  return c < 0 ? 0 : (c > 1 ? 1 : c);
+}
+inline Rgb clamped(const Rgb& c) {
+  return {clamped(c.x), clamped(c.y), clamped(c.z)};
+}
 
 // int(255 c), truncated, of a channel in [0, 1]; undefined is black. No gamma.
-inline std::uint8_t to_byte(double c) { return c == c ? static_cast<std::uint8_t>(255 * c) : std::uint8_t{0}; }
+inline std::uint8_t to_byte(double c) {
+  return c == c ? static_cast<std::uint8_t>(255 * c) : std::uint8_t{0};
+}
 
 // A pixel of an image by column and row counted from the bottom.
 inline std::uint8_t* pixel(Image& image, int i, int j) {

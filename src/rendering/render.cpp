@@ -4,6 +4,8 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <array>
+
 #include "rendering/antialias.hpp"
 #include "rendering/blocks.hpp"
 #include "rendering/pixel.hpp"
@@ -15,8 +17,13 @@ constexpr int tile_edge = 16;
 
 void render_pixels(FrameRenderer& frame, Image& image) {
   frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+    std::array<Vec3, tile_edge> columns;
+    for (int i = x0; i < x1; ++i) columns[static_cast<std::size_t>(i - x0)] = sampler.column(i);
     for (int j = y0; j < y1; ++j) {
-      for (int i = x0; i < x1; ++i) set_pixel(image, i, j, sampler.pixel(i, j));
+      const Vec3 row = sampler.row(j);
+      for (int i = x0; i < x1; ++i) {
+        set_pixel(image, i, j, sampler.pixel(columns[static_cast<std::size_t>(i - x0)], row));
+      }
     }
   });
 }

@@ -12,11 +12,12 @@ struct Rendered {
   RayCounts rays;
 };
 
-// Rows of the picture: int(width / aspect ratio + 0.5). Below 1, or beyond image/size_limits.hpp, there is no picture.
+// Rows of the picture: int(width / aspect ratio + 0.5). Below 1, or beyond image/size_limits.hpp, there is no
+// picture.
 double picture_height(const Scene& scene, int width);
 
-// The same bytes for any number of threads. Options must be within the limits of options.hpp and picture_height
-// within those of a picture.
+// The same bytes for any number of threads. Options must be within the limits of options.hpp and
+// picture_height within those of a picture.
 Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& options, Progress& progress);
 
 }  // namespace trace

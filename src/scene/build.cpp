@@ -3,17 +3,22 @@
 #include <map>
 
 #include "scene/graph.hpp"
+#include "scene/make_mesh.hpp"
 #include "scene/material_resolver.hpp"
 
 namespace trace {
 namespace {
 
-Vec3 vector(const parser::Vector3& v) { return {v.value[0], v.value[1], v.value[2]}; }
+Vec3 vector(const parser::Vector3& v) {
+  return {v.value[0], v.value[1], v.value[2]};
+}
 
 class SceneBuilder {
  public:
   SceneBuilder(parser::Scene& description, const parser::Source& source, parser::Diagnostics& diagnostics)
-      : description_(description), textures_(source.directory(), diagnostics), resolver_(textures_, diagnostics) {}
+      : description_(description),
+        textures_(source.directory(), diagnostics),
+        resolver_(textures_, diagnostics) {}
 
   Scene build() {
     for (const parser::Item& item : description_.items) {
@@ -40,7 +45,8 @@ class SceneBuilder {
       const auto& q = camera.quaternion->value;
       scene_.camera.set_quaternion(Vec4(q[0], q[1], q[2], q[3]));
     }
-    if (camera.viewdir && camera.updir) scene_.camera.set_view(vector(*camera.viewdir), vector(*camera.updir));
+    if (camera.viewdir && camera.updir)
+      scene_.camera.set_view(vector(*camera.viewdir), vector(*camera.updir));
   }
 
   void add(const parser::AmbientLight& light) { scene_.ambient += vector(light.color); }
@@ -131,8 +137,8 @@ class SceneBuilder {
   // --- objects ---
   void add_object(const SceneGraph& graph, const GraphObject& object) {
     const std::uint32_t material = material_of(object);
-    std::optional<Shape> shape = std::visit([&](const auto& s) { return make_shape(s, object); },
-                                            object.primitive->shape);
+    std::optional<Shape> shape =
+        std::visit([&](const auto& s) { return make_shape(s, object); }, object.primitive->shape);
     if (!shape) return;
     const std::int64_t frame = frame_of(graph, object.node);
     if (frame < 0) return;
@@ -149,8 +155,9 @@ class SceneBuilder {
   std::optional<Shape> make_shape(const parser::Cylinder&, const GraphObject&) { return Cylinder{}; }
 
   std::optional<Shape> make_shape(const parser::Cone& cone, const GraphObject&) {
-    return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1, cone.top_radius ? cone.top_radius->value : 0,
-                cone.height ? cone.height->value : 1, cone.capped ? cone.capped->value : true);
+    return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1,
+                cone.top_radius ? cone.top_radius->value : 0, cone.height ? cone.height->value : 1,
+                cone.capped ? cone.capped->value : true);
   }
 
   std::optional<Shape> make_shape(const parser::MeshId& id, const GraphObject& object) {
@@ -158,46 +165,18 @@ class SceneBuilder {
     std::vector<MappedMaterial> materials;
     materials.reserve(said.vertex_materials.size());
     for (const auto& [list, before] : said.material_lists) {
-      const MappedMaterial own = before == 0 ? inherited(object.inherits).material : own_materials_[before - 1];
+      const MappedMaterial own =
+          before == 0 ? inherited(object.inherits).material : own_materials_[before - 1];
       for (std::size_t i = 0; i < list.count; ++i) {
         materials.push_back(resolver_.resolve(said.vertex_materials[list.first + i], own));
       }
     }
-    Mesh mesh = take_mesh(said);
+    Mesh mesh = make_mesh(std::move(said));
     if (mesh.faces.empty()) return std::nullopt;
     const auto index = static_cast<std::uint32_t>(scene_.meshes.size());
     scene_.meshes.push_back({std::move(mesh), {}});
     if (!materials.empty()) vertex_materials_[index] = std::move(materials);
     return MeshId{index};
-  }
-
-  static std::vector<Vec3> take_vectors(std::vector<double>& numbers) {
-    std::vector<Vec3> result;
-    result.reserve(numbers.size() / 3);
-    for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-      result.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    }
-    std::vector<double>().swap(numbers);
-    return result;
-  }
-
-  static Mesh take_mesh(parser::Mesh& said) {
-    Mesh mesh;
-    mesh.points = take_vectors(said.points);
-    mesh.normals = take_vectors(said.normals);
-    const bool triangles = said.face_sizes.empty();
-    const std::size_t count = triangles ? said.corners.size() / 3 : said.face_sizes.size();
-    mesh.faces.reserve(said.corners.size() - 2 * count);
-    std::size_t first = 0;
-    for (std::size_t face = 0; face < count; ++face) {
-      const std::uint32_t size = triangles ? 3 : said.face_sizes[face];
-      add_polygon(mesh, &said.corners[first], size);
-      first += size;
-    }
-    std::vector<std::uint32_t>().swap(said.corners);
-    std::vector<std::uint32_t>().swap(said.face_sizes);
-    if (said.generate_normals) generate_normals(mesh);
-    return mesh;
   }
 
   Bounds local_bounds(const Shape& shape) const {

@@ -7,10 +7,10 @@
 
 namespace trace {
 
-// Composes transforms, inherits materials, opens textures (relative to the scene's folder), closes meshes. Takes
-// the description apart as it goes, so that a large mesh is not held twice. Errors are added to `diagnostics`
-// with their place; the result is complete only if there are none. Objects that cannot be seen (empty meshes, no
-// inverse transform) are left out.
+// Composes transforms, inherits materials, opens textures (relative to the scene's folder), closes meshes.
+// Takes the description apart as it goes, so that a large mesh is not held twice. Errors are added to
+// `diagnostics` with their place; the result is complete only if there are none. Objects that cannot be seen
+// (empty meshes, no inverse transform) are left out.
 Scene build_scene(parser::Scene description, const parser::Source& source, parser::Diagnostics& diagnostics);
 
 }  // namespace trace

@@ -8,7 +8,9 @@ constexpr double course_pi = 3.14159265359;
 
 }  // namespace
 
-void Camera::set_fov(double degrees) { window_height = 2 * std::tan(degrees / (180 / course_pi) / 2); }
+void Camera::set_fov(double degrees) {
+  window_height = 2 * std::tan(degrees / (180 / course_pi) / 2);
+}
 
 void Camera::set_view(const Vec3& direction, const Vec3& up_direction) {
   look = direction;

@@ -5,8 +5,8 @@
 
 namespace trace {
 
-// As the language leaves it: at the origin, looking along -z, and the window one unit high at distance one. The
-// vectors are used as the scene gives them, neither normalised nor made orthogonal.
+// As the language leaves it: at the origin, looking along -z, and the window one unit high at distance one.
+// The vectors are used as the scene gives them, neither normalised nor made orthogonal.
 struct Camera {
   Vec3 eye{0};
   Vec3 look{0, 0, -1};
@@ -15,9 +15,9 @@ struct Camera {
   double window_height = 1;
   double aspect = 1;  // width / height
 
-  void set_fov(double degrees);                          // vertical
+  void set_fov(double degrees);  // vertical
   void set_view(const Vec3& direction, const Vec3& up_direction);
-  void set_quaternion(const Vec4& q);                    // x, y, z, w; not normalised
+  void set_quaternion(const Vec4& q);  // x, y, z, w; not normalised
 
   // Rows of a picture that is `width` wide; not limited to what fits an int.
   double picture_height(int width) const { return width / aspect + 0.5; }
@@ -32,9 +32,13 @@ class RayCaster {
         u_(camera.right * camera.window_height * camera.aspect),
         v_(camera.up * camera.window_height) {}
 
-  Ray cast(double x, double y) const {
-    return {eye_, glm::normalize(look_ + (x - 0.5) * u_ + (y - 0.5) * v_)};
-  }
+  Ray cast(double x, double y) const { return cast(across(x), upward(y)); }
+
+  // The two parts of a ray, for those who cast many along one column or row: their sum is its direction
+  // before it is normalized.
+  Vec3 across(double x) const { return look_ + (x - 0.5) * u_; }
+  Vec3 upward(double y) const { return (y - 0.5) * v_; }
+  Ray cast(const Vec3& across, const Vec3& upward) const { return {eye_, glm::normalize(across + upward)}; }
 
  private:
   Vec3 eye_, look_, u_, v_;

@@ -16,7 +16,8 @@ std::optional<std::size_t> face_of(const std::string& name) {
   if (name.find(".bmp") == std::string::npos && name.find(".png") == std::string::npos) return std::nullopt;
   for (std::size_t face = 0; face < face_names.size(); ++face) {
     const std::size_t sign = name.find(face_names[face].first);
-    if (sign != std::string::npos && name.find(face_names[face].second, sign) != std::string::npos) return face;
+    if (sign != std::string::npos && name.find(face_names[face].second, sign) != std::string::npos)
+      return face;
   }
   return std::nullopt;
 }

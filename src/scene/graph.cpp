@@ -5,7 +5,9 @@
 namespace trace {
 namespace {
 
-Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+Vec3 vector(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
 
 struct LocalMatrix {
   Mat4 operator()(const parser::Translate& t) const { return glm::translate(Mat4(1), vector(t.offset)); }
@@ -89,6 +91,8 @@ class GraphBuilder {
 
 }  // namespace
 
-SceneGraph make_graph(const parser::Scene& description) { return GraphBuilder(description).build(); }
+SceneGraph make_graph(const parser::Scene& description) {
+  return GraphBuilder(description).build();
+}
 
 }  // namespace trace

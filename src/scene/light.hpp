@@ -19,9 +19,7 @@ struct DirectionalLight {
   Rgb color;
   Vec3 towards;  // unit length; not finite where the scene gives no direction
 
-  LightSample sample(const Vec3&) const {
-    return {towards, std::numeric_limits<double>::infinity(), 1.0};
-  }
+  LightSample sample(const Vec3&) const { return {towards, std::numeric_limits<double>::infinity(), 1.0}; }
 };
 
 // Attenuation 1 / (a + b s + c s^2) at distance s, at most 1. The coefficients are 32-bit numbers in the

@@ -15,14 +15,22 @@ struct ColorSlot {
 
 ColorSlot color_slot(MappedMaterial& m, Parameter parameter) {
   switch (parameter) {
-    case Parameter::emissive: return {&m.values.emissive, &m.emissive, "emissive"};
-    case Parameter::ambient: return {&m.values.ambient, &m.ambient, "ambient"};
-    case Parameter::diffuse: return {&m.values.diffuse, &m.diffuse, "diffuse"};
-    case Parameter::specular: return {&m.values.specular, &m.specular, "specular"};
-    case Parameter::reflective: return {&m.values.reflective, nullptr, "reflective"};
-    case Parameter::transmissive: return {&m.values.transmissive, nullptr, "transmissive"};
-    case Parameter::index: return {&m.values.index, &m.index, "index"};
-    case Parameter::shininess: break;
+    case Parameter::emissive:
+      return {&m.values.emissive, &m.emissive, "emissive"};
+    case Parameter::ambient:
+      return {&m.values.ambient, &m.ambient, "ambient"};
+    case Parameter::diffuse:
+      return {&m.values.diffuse, &m.diffuse, "diffuse"};
+    case Parameter::specular:
+      return {&m.values.specular, &m.specular, "specular"};
+    case Parameter::reflective:
+      return {&m.values.reflective, nullptr, "reflective"};
+    case Parameter::transmissive:
+      return {&m.values.transmissive, nullptr, "transmissive"};
+    case Parameter::index:
+      return {&m.values.index, &m.index, "index"};
+    case Parameter::shininess:
+      break;
   }
   return {&m.values.shininess, &m.shininess, "shininess"};
 }
@@ -44,17 +52,18 @@ MappedMaterial MaterialResolver::resolve(const parser::Material& material, const
 void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
   const ColorSlot slot = color_slot(result, assignment.parameter);
   if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
-    const bool number = assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
+    const bool number =
+        assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
     const TextureId id = textures_.open(map->file, assignment.value_span, number);
     if (slot.map) {
       *slot.map = id;
       return;
     }
     *slot.value = Rgb(0);
-    diagnostics_.warning(assignment.span,
-                         fmt::format("a map for '{}' has no effect: the surface stays {}", slot.name,
-                                     assignment.parameter == Parameter::reflective ? "without reflection"
-                                                                                   : "opaque"));
+    diagnostics_.warning(
+        assignment.span,
+        fmt::format("a map for '{}' has no effect: the surface stays {}", slot.name,
+                    assignment.parameter == Parameter::reflective ? "without reflection" : "opaque"));
     return;
   }
   if (slot.map) *slot.map = no_texture;

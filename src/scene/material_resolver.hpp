@@ -14,8 +14,8 @@ class MaterialResolver {
   MaterialResolver(TextureCache& textures, parser::Diagnostics& diagnostics)
       : textures_(textures), diagnostics_(diagnostics) {}
 
-  // A block on top of what it inherits, or the complete material a name stands for. Call in file order: a block
-  // with a name registers its result for those that follow.
+  // A block on top of what it inherits, or the complete material a name stands for. Call in file order: a
+  // block with a name registers its result for those that follow.
   MappedMaterial resolve(const parser::Material& material, const MappedMaterial& inherited);
 
  private:

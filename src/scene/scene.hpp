@@ -54,8 +54,8 @@ struct Scene {
 
   // Whether any light can pass any object, so that shadows have to be followed through glass.
   bool has_transmissive_objects = false;
-  // Whether a shadow can be infinite or undefined (transmission that is negative or above one), so that a surface that
-  // reflects nothing of a light may still turn black.
+  // Whether a shadow can be infinite or undefined (transmission that is negative or above one), so that a
+  // surface that reflects nothing of a light may still turn black.
   bool shadow_may_be_undefined = false;
 
   std::size_t triangle_count() const;

@@ -10,8 +10,9 @@ class Texture {
  public:
   explicit Texture(Image image) : image_(std::move(image)) {}
 
-  // Bilinear value at (u, v) in [0, 1]^2 (clamped), v upward: x = u (w-1), y = v (h-1) between the centres of the
-  // four texels around it; texel = byte / 255. Terms are summed left to right, each colour * x weight * y weight.
+  // Bilinear value at (u, v) in [0, 1]^2 (clamped), v upward: x = u (w-1), y = v (h-1) between the centres of
+  // the four texels around it; texel = byte / 255. Terms are summed left to right, each colour * x weight * y
+  // weight.
   Rgb sample(const Vec2& uv) const;
 
   int width() const { return image_.width; }

@@ -7,7 +7,8 @@ namespace trace {
 TextureId TextureCache::open(const std::string& file, parser::Span span, bool or_working_folder) {
   std::filesystem::path path = scene_folder_ / file;
   std::error_code ignored;
-  if (or_working_folder && !std::filesystem::exists(path, ignored) && std::filesystem::exists(file, ignored)) {
+  if (or_working_folder && !std::filesystem::exists(path, ignored) &&
+      std::filesystem::exists(file, ignored)) {
     path = file;
   }
   if (const auto known = opened_.find(path); known != opened_.end()) return known->second;

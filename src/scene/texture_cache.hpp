@@ -18,8 +18,8 @@ class TextureCache {
       : scene_folder_(std::move(scene_folder)), diagnostics_(diagnostics) {}
 
   // The picture `file`, looked for beside the scene; with `or_working_folder` then in the working folder too,
-  // where the course's renderer looks for maps of shininess and index. no_texture and an error at `span` where
-  // it cannot be read.
+  // where the course's renderer looks for maps of shininess and index. no_texture and an error at `span`
+  // where it cannot be read.
   TextureId open(const std::string& file, parser::Span span, bool or_working_folder);
 
   std::vector<Texture> take() { return std::move(textures_); }

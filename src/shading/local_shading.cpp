@@ -14,8 +14,8 @@ Vec3 highlight_direction(const Vec3& normal, const Vec3& towards_light, bool fro
 
 }  // namespace
 
-Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, const Surface& surface,
-                  const Vec3& toward_surface, RayCounts& counts) {
+Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                  const Surface& surface, const Vec3& toward_surface, RayCounts& counts) {
   const Material& material = surface.material();
   Rgb color = material.emissive + material.ambient * scene.ambient;
   const bool transmits = material.transmits();
@@ -42,8 +42,8 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
     const double specular = std::pow(std::max(0.0, glm::dot(highlight, to_viewer)), shininess);
     const Rgb reflected = material.diffuse * diffuse + material.specular * specular;
     if (may_skip && is_zero(reflected)) continue;
-    const Rgb shadow = shadow_attenuation(scene, tree, options, surface.point(), sample.towards, sample.distance,
-                                          counts);
+    const Rgb shadow =
+        shadow_attenuation(scene, tree, options, surface.point(), sample.towards, sample.distance, counts);
     color += light_color * sample.attenuation * shadow * reflected;
   }
   return color;

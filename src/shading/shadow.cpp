@@ -2,8 +2,8 @@
 
 namespace trace {
 
-Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, const Vec3& point,
-                       const Vec3& towards_light, double distance, RayCounts& counts) {
+Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                       const Vec3& point, const Vec3& towards_light, double distance, RayCounts& counts) {
   if (!options.shadows) return Rgb(1);
   Ray ray{point, towards_light};
   if (!scene.has_transmissive_objects) {
@@ -19,7 +19,8 @@ Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingO
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
     if (glm::dot(surface.normal(), towards_light) > 0) left *= glm::pow(material.transmissive, Rgb(hit.t));
-    // Where coordinates are so large that the step is lost in rounding, the same surface would be met for ever.
+    // Where coordinates are so large that the step is lost in rounding, the same surface would be met for
+    // ever.
     if (surface.point() == ray.origin) return left;
     ray.origin = surface.point();
     distance -= hit.t;

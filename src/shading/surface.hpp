@@ -13,8 +13,8 @@ class Surface {
   Surface& operator=(const Surface&) = delete;
 
   const Vec3& point() const { return point_; }
-  // Unit length, as the primitive delivers it: outward, or whichever way a smooth mesh says. Not finite where a
-  // mesh gives no direction (vertex normals that cancel, generated normals of a face without area).
+  // Unit length, as the primitive delivers it: outward, or whichever way a smooth mesh says. Not finite where
+  // a mesh gives no direction (vertex normals that cancel, generated normals of a face without area).
   const Vec3& normal() const { return normal_; }
   const Material& material() const { return *material_; }
 
@@ -24,6 +24,5 @@ class Surface {
   Material own_;              // filled where the material varies over the surface
   const Material* material_;  // own_ or the scene's
 };
-
 
 }  // namespace trace

@@ -29,8 +29,8 @@ Rgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, bool inside
   const Material& material = surface.material();
   const Vec3 &d = ray.direction, &n = surface.normal();
   ++counts_.reflected;
-  // Split along and across the normal, and not normalized again: this form is the one whose last bits show in the
-  // course's pictures of cube maps.
+  // Split along and across the normal, and not normalized again: this form is the one whose last bits show in
+  // the course's pictures of cube maps.
   const Vec3 along = glm::dot(n, -d) * n;
   const Vec3 across = along + d;
   const Ray mirrored{surface.point(), along + across};

@@ -1,5 +1,5 @@
-// The ray tree: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980, with the course's
-// rules for what is attenuated where (docs/language.md section 6).
+// The ray tree: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6) 1980, with the
+// course's rules for what is attenuated where (docs/language.md section 6).
 #pragma once
 
 #include "shading/options.hpp"
@@ -17,8 +17,8 @@ class WhittedTracer {
   WhittedTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, RayCounts& counts)
       : scene_(scene), tree_(tree), options_(options), counts_(counts) {}
 
-  // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; a channel may
-  // be NaN, which stands for black.
+  // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; a
+  // channel may be NaN, which stands for black.
   Rgb trace(const Ray& ray, int depth) const;
 
  private:

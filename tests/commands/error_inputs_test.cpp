@@ -1,4 +1,5 @@
-// The inputs that the reference refuses, through the whole program: message and exit status of each, and no picture.
+// The inputs that the reference refuses, through the whole program: message and exit status of each, and no
+// picture.
 #include <catch2/catch.hpp>
 
 #include "tests/support/picture_table.hpp"
@@ -24,8 +25,8 @@ std::string unescaped(const std::string& text) {
 
 }  // namespace
 
-// Seven of the 37 are accepted on purpose: a sign or E in numbers, a stray ';' or `material =` in a group, references
-// to named materials (docs/differences.md).
+// Seven of the 37 are accepted on purpose: a sign or E in numbers, a stray ';' or `material =` in a group,
+// references to named materials (docs/differences.md).
 TEST_CASE("each of the 37 error inputs has its message and exit status, and leaves no picture") {
   const TemporaryFolder scratch;
   const std::filesystem::path output = scratch.path() / "out.png";

@@ -17,11 +17,13 @@ TEST_CASE("the program is not linked to OpenImageIO") {
 
 TEST_CASE("a picture of another format is written and read through the module") {
   const TemporaryFolder folder;
-  write_text(folder.path() / "a.ray", "SBT-raytracer 1.0\ncamera { position=(0,0,1); }\n"
-                                      "square { material={ emissive=(1,1,1); } }\n");
+  write_text(folder.path() / "a.ray",
+             "SBT-raytracer 1.0\ncamera { position=(0,0,1); }\n"
+             "square { material={ emissive=(1,1,1); } }\n");
   REQUIRE(run_trace(folder.path(), "-w 16 a.ray white.tif").status == 0);
-  write_text(folder.path() / "b.ray", "SBT-raytracer 1.0\ncamera { position=(0,0,1); }\n"
-                                      "square { material={ emissive=map(\"white.tif\"); } }\n");
+  write_text(folder.path() / "b.ray",
+             "SBT-raytracer 1.0\ncamera { position=(0,0,1); }\n"
+             "square { material={ emissive=map(\"white.tif\"); } }\n");
   const Outcome outcome = run_trace(folder.path(), "-w 16 b.ray out.png");
   CHECK(outcome.errors.empty());
   REQUIRE(outcome.status == 0);
@@ -33,7 +35,8 @@ TEST_CASE("without its module the program still draws, and says which package ot
   write_text(folder.path() / "a.ray", "SBT-raytracer 1.0\n");
   std::filesystem::copy_file(TRACE_PROGRAM, folder.path() / "trace");
   const auto run = [&](const std::string& output) {
-    return std::system(("cd '" + folder.path().string() + "' && ./trace -w 4 a.ray " + output + " 2>errors").c_str());
+    return std::system(
+        ("cd '" + folder.path().string() + "' && ./trace -w 4 a.ray " + output + " 2>errors").c_str());
   };
   CHECK(run("out.png") == 0);
   CHECK(run("out.tif") != 0);

@@ -6,8 +6,9 @@
 namespace trace::test {
 namespace {
 
-constexpr const char* scene = "SBT-raytracer 1.0\nsquare { material = { emissive = (1, 0.5, 0.25); } }\n"
-                              "camera { position = (0, 0, 1); }\n";
+constexpr const char* scene =
+    "SBT-raytracer 1.0\nsquare { material = { emissive = (1, 0.5, 0.25); } }\n"
+    "camera { position = (0, 0, 1); }\n";
 
 struct Desk {
   TemporaryFolder folder;
@@ -102,9 +103,9 @@ TEST_CASE("an error leaves the picture of before as it was") {
 
 TEST_CASE("a command line that cannot be used is exit status 2 and says how to go on") {
   const Desk desk;
-  for (const char* arguments :
-       {"", "a.ray", "--fast a.ray out.png", "-w 0 a.ray out.png", "-w -5 a.ray out.png", "-w 65537 a.ray out.png",
-        "-w abc a.ray out.png", "-r 1001 a.ray out.png", "-t 0 a.ray out.png", "-w", "a.ray out.png more"}) {
+  for (const char* arguments : {"", "a.ray", "--fast a.ray out.png", "-w 0 a.ray out.png",
+                                "-w -5 a.ray out.png", "-w 65537 a.ray out.png", "-w abc a.ray out.png",
+                                "-r 1001 a.ray out.png", "-t 0 a.ray out.png", "-w", "a.ray out.png more"}) {
     INFO(arguments);
     const Outcome outcome = desk.trace(arguments);
     CHECK(outcome.status == 2);
@@ -149,15 +150,18 @@ TEST_CASE("a picture out of bounds is an error at the aspect ratio") {
   write_text(desk.folder.path() / "a.ray", "SBT-raytracer 1.0\ncamera { aspectratio = 1e-5; }\n");
   const Outcome high = desk.trace("a.ray out.png");
   CHECK(high.status == 1);
-  CHECK_THAT(high.errors, Catch::StartsWith("a.ray:2:24: error: a picture 512 pixels wide would be 51200000 pixels "
-                                            "high at this aspect ratio; the limits are 65536 pixels a side and 268435456 in "
-                                            "all\n"));
+  CHECK_THAT(
+      high.errors,
+      Catch::StartsWith("a.ray:2:24: error: a picture 512 pixels wide would be 51200000 pixels "
+                        "high at this aspect ratio; the limits are 65536 pixels a side and 268435456 in "
+                        "all\n"));
   write_text(desk.folder.path() / "a.ray", "SBT-raytracer 1.0\ncamera { aspectratio = 1e5; }\n");
   const Outcome flat = desk.trace("a.ray out.png");
   CHECK(flat.status == 1);
-  CHECK_THAT(flat.errors,
-             Catch::StartsWith("a.ray:2:24: error: a picture 512 pixels wide would have no rows at this aspect "
-                               "ratio\n"));
+  CHECK_THAT(
+      flat.errors,
+      Catch::StartsWith("a.ray:2:24: error: a picture 512 pixels wide would have no rows at this aspect "
+                        "ratio\n"));
   CHECK(!desk.has("out.png"));
 }
 

@@ -63,20 +63,24 @@ TEST_CASE("what the settings file does not give stays") {
 
 TEST_CASE("a setting of the wrong type is an error at its value") {
   const auto [text, message] = GENERATE(table<std::string, std::string>(
-      {{"{\"shadows\": 1}", "s.json:1:13: error: 'shadows' takes true or false\n{\"shadows\": 1}\n            ^\n"},
+      {{"{\"shadows\": 1}",
+        "s.json:1:13: error: 'shadows' takes true or false\n{\"shadows\": 1}\n            ^\n"},
        {"{\n  \"size\": \"big\"\n}",
-        "s.json:2:11: error: 'size' takes a whole number from 1 to 65536\n  \"size\": \"big\"\n          ^~~~~\n"},
+        "s.json:2:11: error: 'size' takes a whole number from 1 to 65536\n  \"size\": \"big\"\n          "
+        "^~~~~\n"},
        {"{\"size\": 0}",
         "s.json:1:10: error: 'size' takes a whole number from 1 to 65536\n{\"size\": 0}\n         ^\n"},
        {"{\"size\": 1.5}",
         "s.json:1:10: error: 'size' takes a whole number from 1 to 65536\n{\"size\": 1.5}\n         ^~~\n"},
        {"{\"threads\": 0}",
-        "s.json:1:13: error: 'threads' takes a whole number from 1 to 1024\n{\"threads\": 0}\n            ^\n"},
+        "s.json:1:13: error: 'threads' takes a whole number from 1 to 1024\n{\"threads\": 0}\n            "
+        "^\n"},
        {"{\"threshold\": [1]}",
         "s.json:1:15: error: 'threshold' takes a number that is not negative\n{\"threshold\": [1]}\n"
         "              ^~\n"},
        {"{\"anti_alias\": null}",
-        "s.json:1:16: error: 'anti_alias' takes true or false\n{\"anti_alias\": null}\n               ^~~~\n"}}));
+        "s.json:1:16: error: 'anti_alias' takes true or false\n{\"anti_alias\": null}\n               "
+        "^~~~\n"}}));
   const Read read(text);
   CHECK(!read.file.valid);
   CHECK(read.file.messages == message);

@@ -1,6 +1,6 @@
-// The cone is drawn with the habits of the course's renderer (docs/language.md section 5); the numbers here come
-// from its formulas by hand. Most tests use bottom radius 1, top radius 2, height 1: then B = (2-1)/1 = 1, g
-// = 1/B = 1, so the side is x^2 + y^2 = (z + 1)^2.
+// The cone is drawn with the habits of the course's renderer (docs/language.md section 5); the numbers here
+// come from its formulas by hand. Most tests use bottom radius 1, top radius 2, height 1: then B = (2-1)/1 =
+// 1, g = 1/B = 1, so the side is x^2 + y^2 = (z + 1)^2.
 #include "geometry/cone.hpp"
 
 #include "tests/support/numbers_near.hpp"

@@ -1,5 +1,5 @@
-// The course's own and its students' scenes with the pictures of the reference renderer. They are other people's and
-// not part of the project: ../shared/corpus where it is present.
+// The course's own and its students' scenes with the pictures of the reference renderer. They are other
+// people's and not part of the project: ../shared/corpus where it is present.
 #include <catch2/catch.hpp>
 
 #include <map>

@@ -37,8 +37,10 @@ TEST_CASE("every scene in the folder has a solution") {
 
 TEST_CASE("the same bytes come of any number of threads") {
   const TemporaryFolder scratch;
-  const std::string one = (scratch.path() / "one.png").string(), many = (scratch.path() / "many.png").string();
+  const std::string one = (scratch.path() / "one.png").string(),
+                    many = (scratch.path() / "many.png").string();
   for (const auto& row : read_table(scenes / "manifest.tsv")) {
+    if (row[0].rfind("features/", 0) != 0) continue;  // the small ones
     INFO(row[0]);
     REQUIRE(run_trace(scenes, row[1] + " -t 1", {row[0], one}).status == 0);
     REQUIRE(run_trace(scenes, row[1] + " -t 5", {row[0], many}).status == 0);

@@ -1,4 +1,5 @@
-// 312 small scenes and the pictures that the course's reference renderer drew of them, in tests/picture_cases.
+// 312 small scenes and the pictures that the course's reference renderer drew of them, in
+// tests/picture_cases.
 #include <catch2/catch.hpp>
 
 #include <map>

@@ -1,5 +1,5 @@
-// docs/language.md section 11. The window of half_white() is one unit wide, so `edge` is where the white ends in the
-// picture, less one half; pixels are 1/20.
+// docs/language.md section 11. The window of half_white() is one unit wide, so `edge` is where the white ends
+// in the picture, less one half; pixels are 1/20.
 #include "rendering/antialias.hpp"
 
 #include <algorithm>

@@ -31,7 +31,7 @@ parser::Material named(const std::string& name) {
 }
 
 parser::Primitive primitive(PrimitiveShape shape, std::vector<parser::Material> materials) {
-  return {shape, std::move(materials), {}, 0};
+  return {shape, std::move(materials), {}};
 }
 
 parser::ElementId Describe::element(decltype(parser::Element::what) what,

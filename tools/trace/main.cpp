@@ -1,4 +1,5 @@
-// The program: chooses the command. What is not the name of another command is `trace [options] scene.ray out.png`.
+// The program: chooses the command. What is not the name of another command is `trace [options] scene.ray
+// out.png`.
 #include <cstdio>
 #include <exception>
 #include <new>

@@ -9,7 +9,8 @@
 
 namespace trace {
 
-// Shows share done and time left on standard error while it lives, if that is a terminal; then clears the line.
+// Shows share done and time left on standard error while it lives, if that is a terminal; then clears the
+// line.
 class ProgressLine {
  public:
   ProgressLine(const Progress& progress, bool wanted);

@@ -14,12 +14,12 @@
 namespace trace {
 namespace {
 
-constexpr const char* version_text =
-    "trace " TRACE_VERSION " (" TRACE_BUILD_TYPE ", "
+constexpr const char* version_text = "trace " TRACE_VERSION " (" TRACE_BUILD_TYPE
+                                     ", "
 #if defined(__clang__)
-    "clang " __clang_version__ ")";
+                                     "clang " __clang_version__ ")";
 #else
-    "g++ " __VERSION__ ")";
+                                     "g++ " __VERSION__ ")";
 #endif
 
 constexpr const char* examples = R"(Examples:
@@ -53,8 +53,8 @@ bool apply_settings(Arguments& arguments) {
   file.apply(arguments.options);
   const auto note = [&](bool given, int flag, int setting, const char* key, const char* option) {
     if (given && flag != setting) {
-      say(arguments, fmt::format("note: \"{}\": {} in {} wins over {} {}", key, setting, arguments.settings, option,
-                                 flag));
+      say(arguments, fmt::format("note: \"{}\": {} in {} wins over {} {}", key, setting, arguments.settings,
+                                 option, flag));
     }
   };
   note(arguments.depth_given, flags.depth, arguments.options.depth, "recursion_depth", "-r");
@@ -82,7 +82,8 @@ int run(Arguments& arguments) {
   statistics.lap(Stage::start);
 
   LoadedScene loaded = load_scene(arguments.scene, arguments.options.width);
-  if (!loaded.messages.empty() && (!arguments.quiet || !loaded.scene)) fmt::print(stderr, "{}", loaded.messages);
+  if (!loaded.messages.empty() && (!arguments.quiet || !loaded.scene))
+    fmt::print(stderr, "{}", loaded.messages);
   if (!loaded.scene) return exit_bad_input;
   Scene& scene = *loaded.scene;
   add_cube_map(arguments, scene);
@@ -119,10 +120,11 @@ int render_command(int argc, const char* const* argv) {
   app.footer(examples);
   app.set_version_flag("--version", version_text, "Show the version and exit");
   app.set_help_flag("-h,--help", "Show this and exit");
-  auto* depth = app.add_option("-r,--depth", options.depth, "Bounces of reflection and refraction (0 to 1000)")
-                    ->check(CLI::Range(-max_depth, max_depth))
-                    ->capture_default_str()
-                    ->type_name("N");
+  auto* depth =
+      app.add_option("-r,--depth", options.depth, "Bounces of reflection and refraction (0 to 1000)")
+          ->check(CLI::Range(-max_depth, max_depth))
+          ->capture_default_str()
+          ->type_name("N");
   auto* width = app.add_option("-w,--width", options.width, "Width of the picture in pixels")
                     ->check(CLI::Range(1, max_width))
                     ->capture_default_str()
@@ -137,7 +139,8 @@ int render_command(int argc, const char* const* argv) {
   app.add_flag("--stats", arguments.stats, "Report counts and times on standard error");
   app.add_flag("-q,--quiet", arguments.quiet, "No notes, warnings or progress");
   app.add_option("scene", arguments.scene, "The scene; - reads standard input")->required();
-  app.add_option("output", arguments.output, "The picture: .png or .bmp; .jpg, .tif, .exr, ... by OpenImageIO")
+  app.add_option("output", arguments.output,
+                 "The picture: .png or .bmp; .jpg, .tif, .exr, ... by OpenImageIO")
       ->required();
   try {
     app.parse(argc, argv);

@@ -25,11 +25,13 @@ parser::Span aspect_span(const parser::Scene& description) {
 void check_size(const Scene& scene, int width, parser::Span span, parser::Diagnostics& diagnostics) {
   const double height = picture_height(scene, width);
   if (!(height >= 1)) {
-    diagnostics.error(span, fmt::format("a picture {} pixels wide would have no rows at this aspect ratio", width));
+    diagnostics.error(span,
+                      fmt::format("a picture {} pixels wide would have no rows at this aspect ratio", width));
   } else if (!(height <= max_side && height * width <= max_pixels)) {
-    diagnostics.error(span, fmt::format("a picture {} pixels wide would be {:.0f} pixels high at this aspect ratio; "
-                                        "the limits are {} pixels a side and {} in all",
-                                        width, height, max_side, max_pixels));
+    diagnostics.error(
+        span, fmt::format("a picture {} pixels wide would be {:.0f} pixels high at this aspect ratio; "
+                          "the limits are {} pixels a side and {} in all",
+                          width, height, max_side, max_pixels));
   }
 }
 

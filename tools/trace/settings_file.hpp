@@ -12,7 +12,8 @@ namespace trace {
 // filter_width) are checked and have no effect; other unknown keys are warned of.
 struct SettingsFile {
   std::optional<int> size, recursion_depth, threads, supersamples, blocksize;
-  std::optional<bool> shadows, smoothshade, backface_culling, internal_reflection, backface_specular, anti_alias;
+  std::optional<bool> shadows, smoothshade, backface_culling, internal_reflection, backface_specular,
+      anti_alias;
   std::optional<double> aa_threshold, threshold;
 
   bool valid = true;

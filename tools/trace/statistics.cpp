@@ -7,7 +7,8 @@ namespace trace {
 
 void Statistics::lap(Stage stage) {
   const Clock::time_point now = Clock::now();
-  milliseconds_[static_cast<std::size_t>(stage)] = std::chrono::duration<double, std::milli>(now - last_).count();
+  milliseconds_[static_cast<std::size_t>(stage)] =
+      std::chrono::duration<double, std::milli>(now - last_).count();
   last_ = now;
 }
 
