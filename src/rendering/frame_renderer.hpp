@@ -1,10 +1,11 @@
 // What the stages of one picture share: the scene, its hierarchy, the camera's rays, threads and counters.
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
@@ -15,13 +16,14 @@ namespace trace {
 class FrameRenderer {
  public:
   FrameRenderer(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
-                Progress& progress)
+                int threads, Progress& progress)
       : scene_(scene),
         tree_(tree),
         options_(options),
         caster_(scene.camera),
         height_(height),
-        progress_(progress) {}
+        progress_(progress),
+        counts_(static_cast<std::size_t>(threads)) {}
 
   // Colours of points of the picture, for one thread.
   class Sampler {
@@ -61,7 +63,9 @@ class FrameRenderer {
   void for_each_tile(int edge, Body&& body);
 
   RayCounts counts() const {
-    return counts_.combine([](RayCounts a, const RayCounts& b) { return a += b; });
+    RayCounts sum;
+    for (const ThreadCounts& counts : counts_) sum += counts.rays;
+    return sum;
   }
 
  private:
@@ -71,25 +75,40 @@ class FrameRenderer {
   RayCaster caster_;
   int height_;
   Progress& progress_;
-  mutable tbb::enumerable_thread_specific<RayCounts> counts_;
+  struct alignas(64) ThreadCounts {  // a cache line of its own
+    RayCounts rays;
+  };
+  std::vector<ThreadCounts> counts_;  // a thread each
 };
 
 template <class Body>
 void FrameRenderer::for_each_tile(int edge, Body&& body) {
   const int columns = (width() + edge - 1) / edge, rows = (height_ + edge - 1) / edge;
-  tbb::parallel_for(
-      tbb::blocked_range<std::int64_t>(0, std::int64_t{columns} * rows, 1),
-      [&](const tbb::blocked_range<std::int64_t>& range) {
-        const Sampler sampler(*this, counts_.local());
-        for (std::int64_t tile = range.begin(); tile != range.end(); ++tile) {
-          const int x0 = static_cast<int>(tile % columns) * edge,
-                    y0 = static_cast<int>(tile / columns) * edge;
-          const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
-          body(sampler, x0, y0, x1, y1);
-          progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
-        }
-      },
-      tbb::simple_partitioner());
+  const std::int64_t tiles = std::int64_t{columns} * rows;
+  const auto run = [&](std::int64_t first, std::int64_t last, std::size_t thread) {
+    const Sampler sampler(*this, counts_[thread].rays);
+    for (std::int64_t tile = first; tile != last; ++tile) {
+      const int x0 = static_cast<int>(tile % columns) * edge, y0 = static_cast<int>(tile / columns) * edge;
+      const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
+      body(sampler, x0, y0, x1, y1);
+      progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
+    }
+  };
+  // Starting the thread pool takes longer than a small picture.
+  if (counts_.size() == 1 || tiles == 1) {
+    run(0, tiles, 0);
+    return;
+  }
+  tbb::task_arena arena(static_cast<int>(counts_.size()));
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::int64_t>(0, tiles, 1),
+        [&](const tbb::blocked_range<std::int64_t>& range) {
+          run(range.begin(), range.end(),
+              static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+        },
+        tbb::simple_partitioner());
+  });
 }
 
 }  // namespace trace

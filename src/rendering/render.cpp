@@ -1,10 +1,8 @@
 #include "rendering/render.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-
+#include <algorithm>
 #include <array>
+#include <thread>
 
 #include "rendering/antialias.hpp"
 #include "rendering/blocks.hpp"
@@ -44,20 +42,16 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
   const bool refine = options.antialiasing.enabled && options.antialiasing.supersamples > 1;
   progress.total = refine ? 2 * pixels : pixels;
-  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    FrameRenderer frame(scene, tree, options, height, progress);
-    if (options.blocks.threshold > 0) {
-      render_blocks(frame, result.image);
-    } else {
-      render_pixels(frame, result.image);
-    }
-    if (refine) antialias(frame, result.image);
-    result.rays = frame.counts();
-  });
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  FrameRenderer frame(scene, tree, options, height, std::max(threads, 1), progress);
+  if (options.blocks.threshold > 0) {
+    render_blocks(frame, result.image);
+  } else {
+    render_pixels(frame, result.image);
+  }
+  if (refine) antialias(frame, result.image);
+  result.rays = frame.counts();
   return result;
 }
 
