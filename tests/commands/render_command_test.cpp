@@ -193,4 +193,14 @@ TEST_CASE("100 000 nested transforms are drawn and one more is an error") {
   CHECK_THAT(outcome.errors, Catch::Contains("100000"));
 }
 
+TEST_CASE("a ray tree of the greatest depth is drawn") {
+  const Desk desk;
+  write_text(desk.folder.path() / "a.ray",
+             "SBT-raytracer 1.0\nmaterial = { reflective = (1, 1, 1); }\n"
+             "translate(0, 0, -1, scale(100, square { })) translate(0, 0, 1, scale(100, square { }))\n");
+  const Outcome outcome = desk.trace("-r 1000 -w 1 --stats a.ray out.png");
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.errors, Catch::Contains("1 primary, "));
+}
+
 }  // namespace trace::test

@@ -37,7 +37,7 @@ std::vector<int> changed(std::uint8_t background, int i, int j, const std::array
   RenderOptions options = refined(2, threshold);
   options.width = 3;
   Progress progress;
-  FrameRenderer frame(scene, tree, options, 3, progress);
+  FrameRenderer frame(scene, tree, options, 3, 2, progress);
   Image image{3, 3, std::vector<std::uint8_t>(27, background)};
   std::copy(odd.begin(), odd.end(), pixel(image, i, j));
   const Image before = image;
@@ -122,7 +122,7 @@ TEST_CASE("the sample at the corner is the picture's byte, and the others are li
   RenderOptions options = refined(2);
   options.width = 2;
   Progress progress;
-  FrameRenderer frame(scene, tree, options, 2, progress);
+  FrameRenderer frame(scene, tree, options, 2, 2, progress);
   Image image{2, 2, {100, 100, 100, 0, 0, 0, 100, 100, 100, 0, 0, 0}};
   antialias(frame, image);
   CHECK(red(image, 0, 0) == static_cast<int>((100 + 3 * 255) / 4));
