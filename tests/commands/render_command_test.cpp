@@ -197,10 +197,10 @@ TEST_CASE("a ray tree of the greatest depth is drawn") {
   const Desk desk;
   write_text(desk.folder.path() / "a.ray",
              "SBT-raytracer 1.0\nmaterial = { reflective = (1, 1, 1); }\n"
-             "translate(0, 0, -1, scale(100, square { })) translate(0, 0, 1, scale(100, square { }))\n");
+             "translate(0, 0, -1, scale(1e4, square { })) translate(0, 0, 1, scale(1e4, square { }))\n");
   const Outcome outcome = desk.trace("-r 1000 -w 1 --stats a.ray out.png");
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.errors, Catch::Contains("1 primary, "));
+  CHECK_THAT(outcome.errors, Catch::Contains("1 primary, 1000 reflected, "));
 }
 
 }  // namespace trace::test
