@@ -133,13 +133,10 @@ class Builder {
     return first + count / 2;
   }
 
-  static int bin_at(float c, float low, float high) {
-    const float scaled = static_cast<float>(bin_count) * ((c - low) / (high - low));
-    return scaled >= bin_count ? bin_count - 1 : (scaled > 0 ? static_cast<int>(scaled) : 0);
-  }
-
   int bin_of(std::uint32_t item, int axis, const Box3f& centres) const {
-    return bin_at(centre(item, axis), centres.low[axis], centres.high[axis]);
+    const float low = centres.low[axis], high = centres.high[axis];
+    const float scaled = static_cast<float>(bin_count) * ((centre(item, axis) - low) / (high - low));
+    return scaled >= bin_count ? bin_count - 1 : (scaled > 0 ? static_cast<int>(scaled) : 0);
   }
 
   Plane best_plane(const Box3f& centres, std::uint32_t first, std::uint32_t last) const {

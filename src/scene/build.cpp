@@ -4,6 +4,7 @@
 
 #include "scene/graph.hpp"
 #include "scene/make_mesh.hpp"
+#include "scene/material_maps.hpp"
 #include "scene/material_resolver.hpp"
 
 namespace trace {
@@ -123,12 +124,12 @@ class SceneBuilder {
         continue;
       }
       auto [entry, is_new] = flattened.try_emplace(object.material, 0);
-      if (is_new) entry->second = add_material({at_lower_left(material, scene_.textures)});
+      if (is_new) entry->second = add_material({at_point(material, scene_.textures, Vec2(0))});
       object.material = entry->second;
     }
     for (auto& [mesh, materials] : vertex_materials_) {
       for (const MappedMaterial& material : materials) {
-        scene_.meshes[mesh].materials.push_back(at_lower_left(material, scene_.textures));
+        scene_.meshes[mesh].materials.push_back(at_point(material, scene_.textures, Vec2(0)));
         note_transmission(scene_.meshes[mesh].materials.back());
       }
     }

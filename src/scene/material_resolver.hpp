@@ -26,10 +26,4 @@ class MaterialResolver {
   std::map<std::string, MappedMaterial> named_;
 };
 
-// For surfaces without texture coordinates, which show the lower left texel of a map everywhere.
-Material at_lower_left(const MappedMaterial& material, const std::vector<Texture>& textures);
-
-// The values at one point of a textured surface.
-Material at_point(const MappedMaterial& material, const std::vector<Texture>& textures, const Vec2& uv);
-
 }  // namespace trace

@@ -1,6 +1,6 @@
 #include "shading/surface.hpp"
 
-#include "scene/material_resolver.hpp"
+#include "scene/material_maps.hpp"
 
 namespace trace {
 namespace {

@@ -1,5 +1,5 @@
 // Pictures as parameters of materials.
-#include "scene/material_resolver.hpp"
+#include "scene/material_maps.hpp"
 #include "tests/image/picture_files.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_describe.hpp"
@@ -16,7 +16,7 @@ class Folder {
   std::string path() const { return directory_.path().string(); }
 
  private:
-  Directory directory_;
+  TemporaryFolder directory_;
 };
 
 const Rgb left(0.2, 0.4, 0.8);
