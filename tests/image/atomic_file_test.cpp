@@ -43,7 +43,7 @@ class NotSuperuser {
 TEST_CASE("a committed file holds what was written, and nothing else is left") {
   const auto temporary = GENERATE(AtomicFile::Temporary::nameless, AtomicFile::Temporary::named);
   const bool replace = GENERATE(false, true);
-  const Directory directory;
+  const TemporaryFolder directory;
   if (replace) put(directory / "file", old_bytes);
   {
     AtomicFile file(directory / "file", temporary);
@@ -57,7 +57,7 @@ TEST_CASE("a committed file holds what was written, and nothing else is left") {
 
 TEST_CASE("a file that was not committed leaves everything as it was") {
   const auto temporary = GENERATE(AtomicFile::Temporary::nameless, AtomicFile::Temporary::named);
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "there", old_bytes);
   {
     AtomicFile there(directory / "there", temporary);
@@ -72,7 +72,7 @@ TEST_CASE("a file that was not committed leaves everything as it was") {
 }
 
 TEST_CASE("a program killed while it writes leaves neither half a file nor a temporary one") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const pid_t child = fork();
   if (child == 0) {
     AtomicFile file(directory / "file");
@@ -87,7 +87,7 @@ TEST_CASE("a program killed while it writes leaves neither half a file nor a tem
 }
 
 TEST_CASE("a file that appears while another is written under its name is replaced") {
-  const Directory directory;
+  const TemporaryFolder directory;
   AtomicFile file(directory / "file");
   file.write(new_bytes);
   put(directory / "file", old_bytes);
@@ -98,7 +98,7 @@ TEST_CASE("a file that appears while another is written under its name is replac
 
 TEST_CASE("a new file gets the usual permissions, a replaced one keeps its own") {
   const auto temporary = GENERATE(AtomicFile::Temporary::nameless, AtomicFile::Temporary::named);
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "there", old_bytes);
   REQUIRE(chmod((directory / "there").c_str(), 0640) == 0);
   const mode_t mask = umask(027);
@@ -109,7 +109,7 @@ TEST_CASE("a new file gets the usual permissions, a replaced one keeps its own")
 }
 
 TEST_CASE("a symbolic link stays, the file it leads to is replaced") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "file", old_bytes);
   std::filesystem::create_symlink("file", directory / "link");
   AtomicFile file(directory / "link");
@@ -120,7 +120,7 @@ TEST_CASE("a symbolic link stays, the file it leads to is replaced") {
 }
 
 TEST_CASE("a name in the working directory needs no directory before it") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const std::filesystem::path before = std::filesystem::current_path();
   std::filesystem::current_path(directory.path());
   AtomicFile("file").commit();
@@ -130,7 +130,7 @@ TEST_CASE("a name in the working directory needs no directory before it") {
 }
 
 TEST_CASE("a file that cannot be written says why") {
-  const Directory directory;
+  const TemporaryFolder directory;
   CHECK(reason([&] { AtomicFile file(directory.path()); }) == "is a directory");
   CHECK(reason([&] { AtomicFile file(directory / "none/file"); }) == "no such directory");
   put(directory / "file", old_bytes);
@@ -138,7 +138,7 @@ TEST_CASE("a file that cannot be written says why") {
 }
 
 TEST_CASE("a full disk is an error, and a device is not replaced") {
-  const Directory directory;
+  const TemporaryFolder directory;
   std::filesystem::create_symlink("/dev/full", directory / "full.png");
   CHECK(reason([&] { write_image(directory / "full.png", colourful(8, 8)); }) == "no space left on device");
   CHECK(std::filesystem::is_character_file("/dev/full"));
@@ -147,7 +147,7 @@ TEST_CASE("a full disk is an error, and a device is not replaced") {
 
 TEST_CASE("a file or directory without permission to write is left alone") {
   const NotSuperuser nobody;
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "file", old_bytes);
   REQUIRE(chmod((directory / "file").c_str(), 0444) == 0);
   CHECK(reason([&] { AtomicFile file(directory / "file"); }) == "permission denied");

@@ -14,7 +14,7 @@ using namespace trace;
 using namespace trace::test;
 
 TEST_CASE("what a picture file is, its content tells and not its name") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const Image image = colourful(6, 5);
   put(directory / "picture.bmp", encode_png(image));
   put(directory / "picture.png", encode_bmp(image));
@@ -25,7 +25,7 @@ TEST_CASE("what a picture file is, its content tells and not its name") {
 }
 
 TEST_CASE("a picture is written in the format its extension names, in either case") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const Image image = colourful(6, 5);
   write_image(directory / "a.png", image);
   write_image(directory / "a.PNG", image);
@@ -38,7 +38,7 @@ TEST_CASE("a picture is written in the format its extension names, in either cas
 }
 
 TEST_CASE("a file that is missing, no file or no picture cannot be read, and the reason says so") {
-  const Directory directory;
+  const TemporaryFolder directory;
   CHECK(reason([&] { read_image(directory / "none.png"); }) == "no such file");
   CHECK(reason([&] { read_image(directory / "none" / "none.png"); }) == "no such file");
   CHECK(reason([&] { read_image(""); }) == "no such file");
@@ -51,13 +51,13 @@ TEST_CASE("a file that is missing, no file or no picture cannot be read, and the
 }
 
 TEST_CASE("a pipe without a writer is refused at once") {
-  const Directory directory;
+  const TemporaryFolder directory;
   REQUIRE(mkfifo((directory / "pipe.png").c_str(), 0600) == 0);
   CHECK(reason([&] { read_image(directory / "pipe.png"); }) == "not a regular file");
 }
 
 TEST_CASE("a picture of an unknown type cannot be written, and nothing is left") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const Image image = colourful(2, 2);
   CHECK(reason([&] { write_image(directory / "a.xyz", image); }) == "cannot write pictures of type '.xyz'");
   CHECK(reason([&] { write_image(directory / "a", image); }) ==
@@ -69,7 +69,7 @@ TEST_CASE("a picture of an unknown type cannot be written, and nothing is left")
 
 TEST_CASE(
     "whether a picture can be written is known before there is one, and nothing is left of the question") {
-  const Directory directory;
+  const TemporaryFolder directory;
   CHECK(reason([&] { check_writable(directory / "a.png"); }) == "no error");
   CHECK(reason([&] { check_writable(directory / "a.xyz"); }) == "cannot write pictures of type '.xyz'");
   CHECK(reason([&] { check_writable(directory / "none" / "a.png"); }) == "no such directory");
@@ -80,7 +80,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a pipe is not opened to ask whether it can be written") {
-  const Directory directory;
+  const TemporaryFolder directory;
   REQUIRE(mkfifo((directory / "pipe.png").c_str(), 0600) == 0);  // opening it would wait for a reader
   CHECK(reason([&] { check_writable(directory / "pipe.png"); }) == "no error");
 }

@@ -29,7 +29,7 @@ Image plain() {
 
 TEST_CASE("formats without loss are written and read back byte for byte") {
   const std::string extension = GENERATE(".tif", ".TIFF", ".exr", ".tga", ".ppm", ".pnm", ".sgi", ".dpx");
-  const Directory directory;
+  const TemporaryFolder directory;
   const std::filesystem::path file = directory / ("picture" + extension);
   const Image image = colourful(12, 10);
   write_image(file, image);
@@ -42,7 +42,7 @@ TEST_CASE("formats without loss are written and read back byte for byte") {
 
 TEST_CASE("formats with loss are written and read back with small differences") {
   const std::string extension = GENERATE(".jpg", ".jpeg", ".webp", ".gif", ".hdr");
-  const Directory directory;
+  const TemporaryFolder directory;
   const std::filesystem::path file = directory / ("picture" + extension);
   write_image(file, plain());
   const Image back = read_image(file);
@@ -57,7 +57,7 @@ TEST_CASE("a gray picture read by OpenImageIO has three equal channels") {
 }
 
 TEST_CASE("alpha in a picture read by OpenImageIO is dropped, the colours stay as they are") {
-  const Directory directory;
+  const TemporaryFolder directory;
   // An uncompressed TARGA of 2 x 1 pixels, blue, green, red, alpha.
   put(directory / "a.tga", Bytes{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0} + little_endian(2, 2) +
                                little_endian(1, 2) + Bytes{32, 8, 30, 20, 10, 0, 60, 50, 40, 128});
@@ -82,7 +82,7 @@ TEST_CASE("a damaged file is an error that names its format") {
 }
 
 TEST_CASE("without the module the error names the package to install") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const ModulePlaces nowhere{directory / "trace_openimageio.so"};
   CHECK(reason([&] { read_with_openimageio(directory / "a.jpg", "JPEG", nowhere); }) ==
         "reading JPEG needs OpenImageIO: install the package libopenimageio2.4, and trace_openimageio.so "
@@ -106,14 +106,14 @@ TEST_CASE("without OpenImageIO itself the error names the package to install") {
   REQUIRE(at != bytes.end());
   std::copy(unknown.begin(), unknown.end(), at);
 
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "trace_openimageio.so", bytes);
   CHECK(reason([&] { read_with_openimageio("a.jpg", "JPEG", {directory / "trace_openimageio.so"}); }) ==
         "reading JPEG needs OpenImageIO: install the package libopenimageio2.4");
 }
 
 TEST_CASE("a file that is no module is refused") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "trace_openimageio.so", Bytes{'n', 'o', 'n', 'e'});
   CHECK_THAT(reason([&] { read_with_openimageio("a.jpg", "JPEG", {directory / "trace_openimageio.so"}); }),
              Catch::StartsWith("reading JPEG needs OpenImageIO, which cannot be loaded: "));

@@ -1,6 +1,5 @@
 #include "picture_files.hpp"
 
-#include <stdlib.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -9,25 +8,6 @@
 #include <stdexcept>
 
 namespace trace::test {
-
-Directory::Directory() {
-  std::string name = (std::filesystem::temp_directory_path() / "trace-test-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
-  path_ = name;
-}
-
-Directory::~Directory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::vector<std::string> Directory::names() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_))
-    names.push_back(entry.path().filename().string());
-  std::ranges::sort(names);
-  return names;
-}
 
 void put(const std::filesystem::path& file, const Bytes& bytes) {
   std::ofstream stream(file, std::ios::binary);
@@ -50,7 +30,7 @@ Image colourful(int width, int height) {
 }
 
 Image read_bytes(const Bytes& bytes) {
-  const Directory directory;
+  const TemporaryFolder directory;
   put(directory / "file", bytes);
   return read_image(directory / "file");
 }

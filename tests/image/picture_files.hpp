@@ -1,4 +1,4 @@
-// Help for the tests of src/image: a directory of one's own, small pictures, and PNG files made chunk by
+// Help for the tests of src/image: bytes in files, small pictures, and PNG files made chunk by
 // chunk.
 #pragma once
 
@@ -9,26 +9,11 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace trace::test {
 
 using Bytes = std::vector<std::uint8_t>;
-
-// A new directory that goes away with its contents.
-class Directory {
- public:
-  Directory();
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-  ~Directory();
-
-  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-  std::vector<std::string> names() const;  // what is in it, in alphabetical order
-
- private:
-  std::filesystem::path path_;
-};
 
 void put(const std::filesystem::path& file, const Bytes& bytes);
 Bytes get(const std::filesystem::path& file);

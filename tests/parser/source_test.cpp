@@ -2,36 +2,21 @@
 #include "parser/source.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/temporary_folder.hpp"
+
 using namespace trace::parser;
+
+using trace::test::TemporaryFolder;
 
 namespace {
 
-// A folder of its own that vanishes with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "trace-source-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
-  std::string write(const std::string& name, const std::string& text) const {
-    const std::string file = (path_ / name).string();
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
-  }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
+std::string write(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
+  trace::test::write_text(folder / name, text);
+  return (folder / name).string();
+}
 
 }  // namespace
 
@@ -40,17 +25,17 @@ TEST_CASE("a file is read byte for byte, whatever its size, and NUL bytes follow
   const TemporaryFolder folder;
   std::string text;
   for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(i * 7 % 251);
-  const Source source = Source::from_file(folder.write("a.ray", text));
+  const Source source = Source::from_file(write(folder, "a.ray", text));
   CHECK(source.text() == text);
-  CHECK(source.directory() == folder.path());
+  CHECK(source.directory() == folder.path().string());
   for (std::size_t i = 0; i < text_padding; ++i) CHECK(source.text().data()[size + i] == '\0');
 }
 
 TEST_CASE("a file that cannot be read says why") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH(Source::from_file("nowhere.ray"), "cannot read 'nowhere.ray': no such file");
-  CHECK_THROWS_WITH(Source::from_file(folder.path()),
-                    "cannot read '" + folder.path() + "': it is a directory");
+  CHECK_THROWS_WITH(Source::from_file(folder.path().string()),
+                    "cannot read '" + folder.path().string() + "': it is a directory");
 }
 
 TEST_CASE("a text knows its name and stands in the current folder") {

@@ -16,7 +16,7 @@ void put_grey(const std::filesystem::path& file, int byte) {
 }
 
 // Six faces named by `prefix`, the faces +x -x +y -y posz negz of grey 10, 20, ... 60.
-void put_faces(const Directory& directory, const std::string& prefix, const std::string& suffix) {
+void put_faces(const TemporaryFolder& directory, const std::string& prefix, const std::string& suffix) {
   int grey = 0;
   for (const char* name : {"posx", "negx", "posy", "negy", "posz", "negz"}) {
     put_grey(directory / (prefix + name + suffix), grey += 10);
@@ -54,7 +54,7 @@ class WorkingFolder {
 }  // namespace
 
 TEST_CASE("the six faces of a cube map are found by their names in the folder of any file") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const auto [prefix, suffix] = GENERATE(std::pair<std::string, std::string>("", ".png"),
                                          std::pair<std::string, std::string>("sky_", ".bmp"),
                                          std::pair<std::string, std::string>("", "_old.png"));
@@ -66,7 +66,7 @@ TEST_CASE("the six faces of a cube map are found by their names in the folder of
 }
 
 TEST_CASE("between the sign of a face and its axis other letters may stand") {
-  const Directory directory;
+  const TemporaryFolder directory;
   int grey = 0;
   for (const char* name :
        {"pos-of-x.png", "neg-of-x.png", "pos-of-y.png", "neg-of-y.png", "pos-of-z.png", "neg-of-z.png"}) {
@@ -77,7 +77,7 @@ TEST_CASE("between the sign of a face and its axis other letters may stand") {
 }
 
 TEST_CASE("other files in the folder of a cube map do not matter") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put_faces(directory, "", ".png");
   put(directory / "posx.txt", {'n', 'o'});
   put_grey(directory / "x_pos.png", 99);  // the axis is not behind the sign
@@ -87,7 +87,7 @@ TEST_CASE("other files in the folder of a cube map do not matter") {
 }
 
 TEST_CASE("a name without a slash is the folder of the cube map itself") {
-  const Directory directory;
+  const TemporaryFolder directory;
   std::filesystem::create_directory(directory / "sky");
   for (const char* name : {"posx", "negx", "posy", "negy", "posz", "negz"}) {
     put_grey(directory / (std::string("sky/") + name + ".png"), 70);
@@ -99,7 +99,7 @@ TEST_CASE("a name without a slash is the folder of the cube map itself") {
 }
 
 TEST_CASE("a cube map without all its faces names the first that is missing") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put_faces(directory, "", ".png");
   std::filesystem::remove(directory / "negz.png");
   std::filesystem::remove(directory / "posy.png");
@@ -108,7 +108,7 @@ TEST_CASE("a cube map without all its faces names the first that is missing") {
 }
 
 TEST_CASE("a cube map with two files for one face names both") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put_faces(directory, "", ".png");
   put_grey(directory / "negy.bmp", 1);
   const std::string folder = directory.path().string();
@@ -117,7 +117,7 @@ TEST_CASE("a cube map with two files for one face names both") {
 }
 
 TEST_CASE("a cube map whose folder is missing or no folder says why") {
-  const Directory directory;
+  const TemporaryFolder directory;
   const std::string folder = directory.path().string();
   CHECK(problem_of(folder + "/sky/posx.png") ==
         "cannot read the folder '" + folder + "/sky': No such file or directory");
@@ -127,7 +127,7 @@ TEST_CASE("a cube map whose folder is missing or no folder says why") {
 }
 
 TEST_CASE("a cube map with a face that is no picture says which") {
-  const Directory directory;
+  const TemporaryFolder directory;
   put_faces(directory, "", ".png");
   put(directory / "negx.png", {'n', 'o', 't', ' ', 'a', ' ', 'p', 'i', 'c', 't', 'u', 'r', 'e'});
   CHECK(problem_of((directory / "posx.png").string()) ==

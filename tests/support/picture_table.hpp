@@ -6,22 +6,9 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace trace::test {
-
-// A folder that is removed with all it holds.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // The rows of a tab-separated file below its header. Throws where it cannot be read.
 std::vector<std::vector<std::string>> read_table(const std::filesystem::path& file);
@@ -44,8 +31,5 @@ struct Outcome {
 // Runs build/trace in `folder`; `arguments` are split at blanks, `files` are added as they are.
 Outcome run_trace(const std::filesystem::path& folder, const std::string& arguments,
                   const std::vector<std::string>& files = {}, const std::string& standard_input = "");
-
-std::string read_text(const std::filesystem::path& file);
-void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace trace::test
