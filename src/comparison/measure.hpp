@@ -1,0 +1,20 @@
+// Two pictures of the same size and channels to their measurements. The definition of each figure, with its
+// source, is in measurements.hpp, ssim.hpp and flip.hpp.
+#pragma once
+
+#include "comparison/measurements.hpp"
+#include "image/raster.hpp"
+
+namespace trace {
+
+struct MeasureOptions {
+  double threshold = 1;  // levels, for percent_over_threshold
+  bool ssim = true;
+  bool flip = true;
+};
+
+// Needs equal width, height and channels. Samples that are not finite in either picture are counted and left
+// out of every other figure.
+Measurements measure(const Raster& reference, const Raster& test, const MeasureOptions& options = {});
+
+}  // namespace trace
