@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "loading/scene_loader.hpp"
+#include "loading/settings_file.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/progress_line.hpp"
-#include "tools/trace/scene_loader.hpp"
-#include "tools/trace/settings_file.hpp"
 #include "tools/trace/statistics.hpp"
 
 namespace trace {

@@ -1,4 +1,4 @@
-#include "tools/trace/scene_loader.hpp"
+#include "loading/scene_loader.hpp"
 
 #include <fmt/format.h>
 

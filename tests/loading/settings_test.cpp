@@ -1,8 +1,8 @@
 // The settings file: every key, and every way it can be wrong.
 #include <catch2/catch.hpp>
 
+#include "loading/settings_file.hpp"
 #include "tests/support/picture_table.hpp"
-#include "tools/trace/settings_file.hpp"
 
 namespace trace::test {
 namespace {
@@ -77,7 +77,7 @@ TEST_CASE("a setting of the wrong type is an error at its value") {
         "^\n"},
        {"{\"threshold\": [1]}",
         "s.json:1:15: error: 'threshold' takes a number that is not negative\n{\"threshold\": [1]}\n"
-        "              ^~\n"},
+        "              ^~~\n"},
        {"{\"anti_alias\": null}",
         "s.json:1:16: error: 'anti_alias' takes true or false\n{\"anti_alias\": null}\n               "
         "^~~~\n"}}));
