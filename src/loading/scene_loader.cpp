@@ -37,24 +37,28 @@ void check_size(const Scene& scene, int width, parser::Span span, parser::Diagno
 
 }  // namespace
 
-LoadedScene load_scene(const std::string& file, int width) {
+LoadedScene load_scene(const parser::Source& source, int width, ImageSource& images) {
+  LoadedScene result;
+  parser::Diagnostics diagnostics;
+  parser::Scene description = parser::parse(source, diagnostics);
+  if (!diagnostics.has_errors()) {
+    const parser::Span span = aspect_span(description);
+    result.scene = build_scene(std::move(description), source, images, diagnostics);
+    check_size(*result.scene, width, span, diagnostics);
+  }
+  if (diagnostics.has_errors()) result.scene.reset();
+  result.messages = parser::render(source, diagnostics);
+  return result;
+}
+
+LoadedScene load_scene(const std::string& file, int width, ImageSource& images) {
   std::optional<parser::Source> source;
   try {
     source = parser::Source::from_file(file);
   } catch (const std::runtime_error& e) {
     return {std::nullopt, fmt::format("trace: error: {}\n", e.what())};
   }
-  LoadedScene result;
-  parser::Diagnostics diagnostics;
-  parser::Scene description = parser::parse(*source, diagnostics);
-  if (!diagnostics.has_errors()) {
-    const parser::Span span = aspect_span(description);
-    result.scene = build_scene(std::move(description), *source, diagnostics);
-    check_size(*result.scene, width, span, diagnostics);
-  }
-  if (diagnostics.has_errors()) result.scene.reset();
-  result.messages = parser::render(*source, diagnostics);
-  return result;
+  return load_scene(*source, width, images);
 }
 
 }  // namespace trace

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "image/image_source.hpp"
+#include "parser/source.hpp"
 #include "scene/scene.hpp"
 
 namespace trace {
@@ -14,6 +16,9 @@ struct LoadedScene {
 };
 
 // `width` is that of the picture, whose height the scene decides and which may be out of bounds.
-LoadedScene load_scene(const std::string& file, int width);
+LoadedScene load_scene(const parser::Source& source, int width, ImageSource& images);
+
+// The same from a file; "-" is standard input.
+LoadedScene load_scene(const std::string& file, int width, ImageSource& images);
 
 }  // namespace trace

@@ -16,9 +16,10 @@ Vec3 vector(const parser::Vector3& v) {
 
 class SceneBuilder {
  public:
-  SceneBuilder(parser::Scene& description, const parser::Source& source, parser::Diagnostics& diagnostics)
+  SceneBuilder(parser::Scene& description, const parser::Source& source, ImageSource& images,
+               parser::Diagnostics& diagnostics)
       : description_(description),
-        textures_(source.directory(), diagnostics),
+        textures_(source.directory(), images, diagnostics),
         resolver_(textures_, diagnostics) {}
 
   Scene build() {
@@ -222,8 +223,9 @@ std::size_t Scene::triangle_count() const {
   return count;
 }
 
-Scene build_scene(parser::Scene description, const parser::Source& source, parser::Diagnostics& diagnostics) {
-  return SceneBuilder(description, source, diagnostics).build();
+Scene build_scene(parser::Scene description, const parser::Source& source, ImageSource& images,
+                  parser::Diagnostics& diagnostics) {
+  return SceneBuilder(description, source, images, diagnostics).build();
 }
 
 }  // namespace trace

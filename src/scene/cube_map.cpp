@@ -44,7 +44,7 @@ Rgb CubeMap::lookup(const Vec3& d) const {
   return faces_[face].sample(Vec2((u + 1) / 2, (v + 1) / 2));
 }
 
-std::optional<CubeMap> read_cube_map(const std::string& one_face, std::string& problem) {
+std::optional<CubeMap> read_cube_map(const std::string& one_face, ImageSource& images, std::string& problem) {
   const std::size_t slash = one_face.rfind('/');
   const std::filesystem::path folder =
       slash == std::string::npos ? one_face : one_face.substr(0, std::max<std::size_t>(slash, 1));
@@ -77,7 +77,7 @@ std::optional<CubeMap> read_cube_map(const std::string& one_face, std::string& p
       return std::nullopt;
     }
     try {
-      faces.emplace_back(read_image(files[face]));
+      faces.emplace_back(images.read(files[face]));
     } catch (const ImageError& e) {
       problem = fmt::format("cannot read '{}': {}", files[face].string(), e.what());
       return std::nullopt;

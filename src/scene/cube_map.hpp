@@ -25,6 +25,6 @@ class CubeMap {
 // `-c ONE_FACE`: the folder of that file is searched for the six faces by name: ".bmp" or ".png" in it, "pos"
 // or "neg", and later an x, y or z. A name without "/" is the folder itself. Where the set is not complete
 // the result is empty and `problem` says why.
-std::optional<CubeMap> read_cube_map(const std::string& one_face, std::string& problem);
+std::optional<CubeMap> read_cube_map(const std::string& one_face, ImageSource& images, std::string& problem);
 
 }  // namespace trace

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "geometry/vector.hpp"
-#include "image/image.hpp"
+#include "image/image_source.hpp"
 
 namespace trace {
 
 class Texture {
  public:
-  explicit Texture(Image image) : image_(std::move(image)) {}
+  explicit Texture(SharedImage image) : image_(std::move(image)) {}
+  explicit Texture(Image image) : Texture(share(std::move(image))) {}
 
   // Bilinear value at (u, v) in [0, 1]^2 (clamped), v upward: x = u (w-1), y = v (h-1) between the centres of
   // the four texels around it; texel = byte / 255. Terms are summed left to right, each colour * x weight * y
@@ -21,7 +22,7 @@ class Texture {
  private:
   Rgb texel(int x, int y) const;  // y = 0 is the bottom row
 
-  Image image_;
+  SharedImage image_;
 };
 
 }  // namespace trace

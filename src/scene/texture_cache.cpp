@@ -6,14 +6,10 @@ namespace trace {
 
 TextureId TextureCache::open(const std::string& file, parser::Span span, bool or_working_folder) {
   std::filesystem::path path = scene_folder_ / file;
-  std::error_code ignored;
-  if (or_working_folder && !std::filesystem::exists(path, ignored) &&
-      std::filesystem::exists(file, ignored)) {
-    path = file;
-  }
+  if (or_working_folder && !images_.exists(path) && images_.exists(file)) path = file;
   if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
   try {
-    textures_.emplace_back(read_image(path));
+    textures_.emplace_back(images_.read(path));
   } catch (const ImageError& e) {
     diagnostics_.error(span, fmt::format("cannot read texture '{}': {}", file, e.what()));
     return no_texture;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/image_source.hpp"
 #include "parser/diagnostic.hpp"
 #include "scene/material.hpp"
 #include "scene/texture.hpp"
@@ -14,8 +15,8 @@ namespace trace {
 
 class TextureCache {
  public:
-  TextureCache(std::filesystem::path scene_folder, parser::Diagnostics& diagnostics)
-      : scene_folder_(std::move(scene_folder)), diagnostics_(diagnostics) {}
+  TextureCache(std::filesystem::path scene_folder, ImageSource& images, parser::Diagnostics& diagnostics)
+      : scene_folder_(std::move(scene_folder)), images_(images), diagnostics_(diagnostics) {}
 
   // The picture `file`, looked for beside the scene; with `or_working_folder` then in the working folder too,
   // where the course's renderer looks for maps of shininess and index. no_texture and an error at `span`
@@ -27,6 +28,7 @@ class TextureCache {
 
  private:
   std::filesystem::path scene_folder_;
+  ImageSource& images_;
   parser::Diagnostics& diagnostics_;
   std::vector<Texture> textures_;
   std::map<std::filesystem::path, TextureId> opened_;

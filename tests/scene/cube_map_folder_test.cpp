@@ -10,6 +10,11 @@ using namespace trace::test;
 
 namespace {
 
+std::optional<CubeMap> read_faces(const std::string& one_face, std::string& problem) {
+  FileImages images;
+  return read_cube_map(one_face, images, problem);
+}
+
 // A picture of one grey.
 void put_grey(const std::filesystem::path& file, int byte) {
   write_image(file, Image{2, 2, std::vector<std::uint8_t>(12, static_cast<std::uint8_t>(byte))});
@@ -25,7 +30,7 @@ void put_faces(const TemporaryFolder& directory, const std::string& prefix, cons
 
 std::string problem_of(const std::string& one_face) {
   std::string problem;
-  return read_cube_map(one_face, problem) ? "no problem" : problem;
+  return read_faces(one_face, problem) ? "no problem" : problem;
 }
 
 // Whether the six faces are where they belong.
@@ -60,8 +65,8 @@ TEST_CASE("the six faces of a cube map are found by their names in the folder of
                                          std::pair<std::string, std::string>("", "_old.png"));
   put_faces(directory, prefix, suffix);
   std::string problem;
-  CHECK(complete(read_cube_map((directory / (prefix + "posx" + suffix)).string(), problem)));
-  CHECK(complete(read_cube_map((directory / "not_there.png").string(), problem)));
+  CHECK(complete(read_faces((directory / (prefix + "posx" + suffix)).string(), problem)));
+  CHECK(complete(read_faces((directory / "not_there.png").string(), problem)));
   CHECK(problem.empty());
 }
 
@@ -73,7 +78,7 @@ TEST_CASE("between the sign of a face and its axis other letters may stand") {
     put_grey(directory / name, grey += 10);
   }
   std::string problem;
-  CHECK(complete(read_cube_map((directory / "any").string(), problem)));
+  CHECK(complete(read_faces((directory / "any").string(), problem)));
 }
 
 TEST_CASE("other files in the folder of a cube map do not matter") {
@@ -83,7 +88,7 @@ TEST_CASE("other files in the folder of a cube map do not matter") {
   put_grey(directory / "x_pos.png", 99);  // the axis is not behind the sign
   put_grey(directory / "picture.png", 99);
   std::string problem;
-  CHECK(complete(read_cube_map((directory / "posx.png").string(), problem)));
+  CHECK(complete(read_faces((directory / "posx.png").string(), problem)));
 }
 
 TEST_CASE("a name without a slash is the folder of the cube map itself") {
@@ -94,7 +99,7 @@ TEST_CASE("a name without a slash is the folder of the cube map itself") {
   }
   const WorkingFolder here(directory.path());
   std::string problem;
-  CHECK(read_cube_map("sky", problem));
+  CHECK(read_faces("sky", problem));
   CHECK(problem_of("posx.png") == "cannot read the folder 'posx.png': No such file or directory");
 }
 

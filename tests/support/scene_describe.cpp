@@ -69,7 +69,8 @@ Built build(const Describe& description, const std::string& folder) {
   const parser::Source source = folder == "." ? parser::Source::from_text("scene.ray", std::string(64, ' '))
                                               : parser::Source::from_file(folder + "/scene.ray");
   Built built;
-  built.scene = build_scene(description.scene, source, built.diagnostics);
+  FileImages images;
+  built.scene = build_scene(description.scene, source, images, built.diagnostics);
   return built;
 }
 

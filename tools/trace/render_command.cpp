@@ -63,10 +63,10 @@ bool apply_settings(Arguments& arguments) {
   return true;
 }
 
-void add_cube_map(const Arguments& arguments, Scene& scene) {
+void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene) {
   if (arguments.cube_map.empty()) return;
   std::string problem;
-  scene.cube_map = read_cube_map(arguments.cube_map, problem);
+  scene.cube_map = read_cube_map(arguments.cube_map, images, problem);
   if (!scene.cube_map) say(arguments, fmt::format("warning: no cube map: {}", problem));
 }
 
@@ -81,12 +81,13 @@ int run(Arguments& arguments) {
   }
   statistics.lap(Stage::start);
 
-  LoadedScene loaded = load_scene(arguments.scene, arguments.options.width);
+  FileImages images;
+  LoadedScene loaded = load_scene(arguments.scene, arguments.options.width, images);
   if (!loaded.messages.empty() && (!arguments.quiet || !loaded.scene))
     fmt::print(stderr, "{}", loaded.messages);
   if (!loaded.scene) return exit_bad_input;
   Scene& scene = *loaded.scene;
-  add_cube_map(arguments, scene);
+  add_cube_map(arguments, images, scene);
   statistics.lap(Stage::load);
 
   const SceneTree tree(scene);

@@ -1,0 +1,38 @@
+// Where a scene's pictures come from: the file system, or whoever keeps pictures that several scenes share.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "image/image.hpp"
+
+namespace trace {
+
+// A decoded picture that may belong to several at once: 8-bit RGB, 3 bytes a pixel, rows from top to bottom.
+struct SharedImage {
+  int width = 0;
+  int height = 0;
+  std::shared_ptr<const std::uint8_t[]> rgb;
+};
+
+class ImageSource {
+ public:
+  virtual ~ImageSource() = default;
+
+  // The picture in a file, as read_image. Throws ImageError.
+  virtual SharedImage read(const std::filesystem::path& file) = 0;
+
+  // Whether there is such a file. Sources that keep account of what a scene depends on want to be asked.
+  virtual bool exists(const std::filesystem::path& file) = 0;
+};
+
+// Reads the file each time.
+class FileImages : public ImageSource {
+ public:
+  SharedImage read(const std::filesystem::path& file) override;
+  bool exists(const std::filesystem::path& file) override;
+};
+
+SharedImage share(Image image);
+
+}  // namespace trace
