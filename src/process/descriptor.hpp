@@ -34,4 +34,11 @@ class Descriptor {
   int number_ = -1;
 };
 
+// The same open file with a number above those of standard input, output and error, where the numbers of a
+// forked process are going to be rearranged. This process may itself have been started without these three.
+inline Descriptor above_standard(Descriptor descriptor) {
+  if (descriptor.get() > STDERR_FILENO || !descriptor) return descriptor;
+  return descriptor.duplicate();
+}
+
 }  // namespace trace

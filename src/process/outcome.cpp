@@ -47,9 +47,9 @@ Outcome outcome_of_status(int wait_status) {
 }
 
 bool speaks_of_memory(const std::string& errors) {
-  constexpr std::array<std::string_view, 6> phrases = {"std::bad_alloc",         "Cannot allocate memory",
-                                                       "cannot allocate memory", "Out of memory",
-                                                       "out of memory",          "MemoryError"};
+  constexpr std::array<std::string_view, 7> phrases = {
+      "std::bad_alloc", "Cannot allocate memory", "cannot allocate memory", "Out of memory", "out of memory",
+      "MemoryError",    "memory exhausted"};
   for (std::string_view phrase : phrases) {
     if (errors.find(phrase) != std::string::npos) return true;
   }

@@ -31,7 +31,8 @@ Outcome outcome_of_status(int wait_status);
 
 // Whether what a program or a job wrote before it ended says that an allocation failed: under a memory limit
 // a C++ program that does not expect this aborts with the text of std::bad_alloc, a Python one exits with
-// MemoryError. There is no other trace of it: the kernel does not tell which request it refused.
+// MemoryError, a GNU one says "memory exhausted". There is no other trace of it: the kernel does not tell
+// which request it refused.
 bool speaks_of_memory(const std::string& errors);
 
 }  // namespace trace

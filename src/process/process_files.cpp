@@ -37,9 +37,9 @@ std::string folder_of(pid_t process) {
   return fmt::format("/proc/{}", process);
 }
 
-// A line of /proc/PID/status that is given in kB.
-std::uint64_t status_bytes(const std::string& folder, std::string_view field) {
-  const std::string all = contents(folder + "/status");
+// A line of such a file that is given in kB.
+std::uint64_t field_bytes(const std::string& file, std::string_view field) {
+  const std::string all = contents(file);
   const std::size_t at = all.find(field);
   if (at == std::string::npos) return 0;
   std::string_view rest = std::string_view(all).substr(at);
@@ -68,8 +68,13 @@ ResidentMemory resident_memory(pid_t process) {
   return {all, all - std::min(all, shared)};
 }
 
+std::uint64_t proportional_memory(pid_t process) {
+  const std::uint64_t bytes = field_bytes(folder_of(process) + "/smaps_rollup", "\nPss:");
+  return bytes > 0 ? bytes : resident_memory(process).all;
+}
+
 std::uint64_t peak_resident(pid_t process) {
-  return status_bytes(folder_of(process), "VmHWM:");
+  return field_bytes(folder_of(process) + "/status", "\nVmHWM:");
 }
 
 void reset_peak_resident() {
@@ -79,7 +84,7 @@ void reset_peak_resident() {
 }
 
 std::uint64_t data_size() {
-  return status_bytes("/proc/self", "VmData:");
+  return field_bytes("/proc/self/status", "\nVmData:");
 }
 
 std::vector<pid_t> descendants(pid_t process) {

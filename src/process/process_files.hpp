@@ -14,6 +14,10 @@ struct ResidentMemory {
 };
 ResidentMemory resident_memory(pid_t process);
 
+// Resident, with each page shared out among the processes that have it; takes a millisecond or more. As
+// resident_memory() where it may not be looked at.
+std::uint64_t proportional_memory(pid_t process);
+
 // The most that was resident since the process started its program or set the mark back.
 std::uint64_t peak_resident(pid_t process);
 // Sets that mark of this process back to what is resident now.

@@ -1,6 +1,5 @@
 #include "process/worker_process.hpp"
 
-#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -20,6 +19,7 @@
 #include "process/child_setup.hpp"
 #include "process/cpu_time.hpp"
 #include "process/pidfd.hpp"
+#include "process/pipe.hpp"
 #include "process/process_files.hpp"
 #include "process/sanitizers.hpp"
 
@@ -30,20 +30,16 @@ namespace {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-void must_not_block(const Descriptor& descriptor) {
-  fcntl(descriptor.get(), F_SETFL, fcntl(descriptor.get(), F_GETFL) | O_NONBLOCK);
-}
-
 }  // namespace
 
 WorkerProcess::WorkerProcess(int id, const Work& work, const std::function<void()>& in_child) : id_(id) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
-  socket_ = Descriptor(ends[0]);
-  Descriptor worker_socket(ends[1]);
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("pipe");
-  errors_ = Descriptor(ends[0]);
-  Descriptor worker_errors(ends[1]);
+  socket_ = above_standard(Descriptor(ends[0]));
+  const Descriptor worker_socket = above_standard(Descriptor(ends[1]));
+  Pipe errors;
+  errors_ = std::move(errors.read);
+  Descriptor worker_errors = std::move(errors.write);
 
   std::cout.flush();  // else the worker would write the same once more
   std::fflush(nullptr);
@@ -113,12 +109,7 @@ std::optional<Message> WorkerProcess::receive() {
 }
 
 void WorkerProcess::read_errors() {
-  std::array<char, 16384> part;
-  ssize_t count = 0;
-  // Not until there is nothing left: a worker that never stops writing must not hold the supervisor.
-  for (int parts = 0; parts < 8 && (count = read(errors_.get(), part.data(), part.size())) > 0; ++parts)
-    errors_text_.append({part.data(), std::size_t(count)});
-  if (count == 0) errors_.reset();
+  read_some(errors_, errors_text_);
 }
 
 void WorkerProcess::go_on() {
@@ -160,7 +151,7 @@ FinishedJob WorkerProcess::finished(const Outcome& outcome) {
 }
 
 FinishedJob WorkerProcess::finish(Message message) {
-  if (errors_) read_errors();  // whatever was written came before the message
+  read_errors();  // whatever was written came before the message
   FinishedJob result = finished({});
   result.seconds = figures_.seconds;
   result.cpu_seconds = figures_.cpu_seconds_so_far - cpu_seconds_before_;
@@ -186,7 +177,7 @@ std::optional<FinishedJob> WorkerProcess::bury() {
   rusage usage{};
   while (wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
   }
-  if (errors_) read_errors();
+  read_errors();
   if (!busy()) return std::nullopt;
   Outcome outcome = killed_as_.value_or(outcome_of_status(status));
   if (!killed_as_ && limits_.memory_bytes > 0 && speaks_of_memory(errors_text_.text()))

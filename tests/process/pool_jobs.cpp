@@ -1,5 +1,6 @@
 #include "tests/process/pool_jobs.hpp"
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <thread>
 
 namespace trace::test {
@@ -35,6 +37,21 @@ void crash(int signal) {
   std::signal(signal, SIG_DFL);
   kill(getpid(), signal);
   for (;;) pause();
+}
+
+SharedNumber::SharedNumber() {
+  void* page = mmap(nullptr, sizeof *number_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  REQUIRE(page != MAP_FAILED);
+  number_ = ::new (page) std::atomic<int>(0);
+}
+
+SharedNumber::~SharedNumber() {
+  munmap(number_, sizeof *number_);
+}
+
+void SharedNumber::wait_for_change() const {
+  const auto end = Clock::now() + long_enough;
+  while (*number_ == 0 && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 void exhaust_memory() {

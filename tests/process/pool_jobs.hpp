@@ -1,6 +1,7 @@
 // Short ways to run jobs in a pool from a test.
 #pragma once
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <map>
@@ -45,6 +46,21 @@ bool soon_gone(pid_t process);
 
 // The plain action of the signal, which a sanitizer otherwise replaces by a report.
 [[noreturn]] void crash(int signal);
+
+// A number that this process and those it forks share.
+class SharedNumber {
+ public:
+  SharedNumber();
+  SharedNumber(const SharedNumber&) = delete;
+  SharedNumber& operator=(const SharedNumber&) = delete;
+  ~SharedNumber();
+
+  std::atomic<int>& operator*() { return *number_; }
+  void wait_for_change() const;  // from 0, for at most `long_enough`
+
+ private:
+  std::atomic<int>* number_;
+};
 
 // Takes memory, and writes to it, until something stops that, up to 4 GiB.
 void exhaust_memory();
