@@ -25,10 +25,14 @@ void spread_gray(unsigned char* pixels, size_t count) {
   for (size_t i = count; i-- > 0;) pixels[3 * i] = pixels[3 * i + 1] = pixels[3 * i + 2] = pixels[i];
 }
 
-int read_picture(const char* path, TraceAllocate allocate, void* context, const Reason& fail) {
+std::unique_ptr<OIIO::ImageInput> open_input(const char* path) {
   OIIO::ImageSpec wish;
   wish["oiio:UnassociatedAlpha"] = 1;  // the colours as they are, not multiplied by alpha
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wish);
+  return OIIO::ImageInput::open(path, &wish);
+}
+
+int read_picture(const char* path, TraceAllocate allocate, void* context, const Reason& fail) {
+  const std::unique_ptr<OIIO::ImageInput> input = open_input(path);
   if (!input) return fail(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.deep || spec.depth > 1 || spec.nchannels < 1) return fail("neither a gray nor a colour picture");
@@ -39,6 +43,24 @@ int read_picture(const char* path, TraceAllocate allocate, void* context, const 
   const bool gray = spec.nchannels < 3;
   if (!input->read_image(0, 0, 0, gray ? 1 : 3, OIIO::TypeUInt8, pixels)) return fail(input->geterror());
   if (gray) spread_gray(pixels, count);
+  return 1;
+}
+
+// 8 or 16 where every channel is an unsigned integer of that size.
+int integer_bits(const OIIO::ImageSpec& spec) {
+  for (const OIIO::TypeDesc& type : spec.channelformats)
+    if (type != spec.format) return 0;
+  return spec.format == OIIO::TypeUInt8 ? 8 : spec.format == OIIO::TypeUInt16 ? 16 : 0;
+}
+
+int read_samples(const char* path, TraceAllocateSamples allocate, void* context, const Reason& fail) {
+  const std::unique_ptr<OIIO::ImageInput> input = open_input(path);
+  if (!input) return fail(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.deep || spec.depth > 1 || spec.nchannels < 1) return fail("neither a gray nor a colour picture");
+  float* samples = allocate(context, spec.width, spec.height, spec.nchannels, integer_bits(spec));
+  if (!samples) return fail("");
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, samples)) return fail(input->geterror());
   return 1;
 }
 
@@ -62,6 +84,18 @@ extern "C" int trace_openimageio_read_1(const char* path, TraceAllocate allocate
   const Reason fail{error, error_size};
   try {
     return read_picture(path, allocate, context, fail);
+  } catch (const std::exception& problem) {
+    return fail(problem.what());
+  } catch (...) {
+    return fail("unknown error");
+  }
+}
+
+extern "C" int trace_openimageio_read_samples_1(const char* path, TraceAllocateSamples allocate,
+                                                void* context, char* error, size_t error_size) {
+  const Reason fail{error, error_size};
+  try {
+    return read_samples(path, allocate, context, fail);
   } catch (const std::exception& problem) {
     return fail(problem.what());
   } catch (...) {
