@@ -1,0 +1,47 @@
+// What the charts have in common: colours of the theme, the width of their place, redrawing when either
+// changes.
+
+const chartFont = "12px system-ui, sans-serif";
+
+// draw(width) makes a uPlot in `place`; it is made anew when the width or the theme changes.
+function keepDrawn(place, draw) {
+  let plot = null;
+  let width = 0;
+  const again = () => {
+    if (plot) plot.destroy();
+    plot = width > 0 ? draw(width) : null;
+  };
+  new ResizeObserver(() => {
+    const now = Math.floor(place.clientWidth);
+    if (now === width) return;
+    width = now;
+    again();
+  }).observe(place);
+  themeChanged.push(again);
+}
+
+function chartAxis(options) {
+  const lines = { stroke: colour("line"), width: 1 };
+  return { stroke: colour("muted"), font: chartFont, labelFont: chartFont, grid: lines, ticks: lines,
+    labelSize: 18, ...options };
+}
+
+function chartFigure(title, text, place, extra) {
+  return element("figure", { class: "chart" },
+    element("figcaption", {}, element("h2", {}, title), element("p", { class: "muted" }, text)), place, extra);
+}
+
+// The powers of ten around the values, as [low, high].
+function decades(values) {
+  const low = Math.min(...values), high = Math.max(...values);
+  const down = 10 ** Math.floor(Math.log10(low)), up = 10 ** Math.ceil(Math.log10(high));
+  return [down, up > down ? up : down * 10];
+}
+
+function buildCharts() {
+  const section = document.getElementById("charts");
+  if (results.length < 2) return section.remove();
+  const made = [histogramFigure(), scatterFigure()].filter((chart) => chart);
+  if (made.length) section.append(...made);
+  else section.remove();
+}

@@ -1,0 +1,109 @@
+// Time against error, a point a result. A click on a point, or on a name in the list below, opens it.
+
+const markSize = 4;  // half of it, in pixels of the screen
+
+function scatterData() {
+  const plotted = results.filter((result) => result.error !== null && result.seconds > 0)
+    .sort((a, b) => a.seconds - b.seconds);
+  const errors = plotted.map((result) => result.error).filter((error) => error > 0);
+  const [low, high] = errors.length ? decades(errors) : [0.1, 1];
+  const floor = low / 10;  // where a logarithmic axis shows an error of 0
+  return { plotted, floor, high, height: (result) => result.error || floor };
+}
+
+// Circles pass, crosses fail.
+function drawMark(context, x, y, failed, size) {
+  context.beginPath();
+  if (failed) {
+    context.moveTo(x - size, y - size);
+    context.lineTo(x + size, y + size);
+    context.moveTo(x + size, y - size);
+    context.lineTo(x - size, y + size);
+  } else {
+    context.arc(x, y, size, 0, 2 * Math.PI);
+  }
+  context.stroke();
+}
+
+function drawMarks(plot, data) {
+  const { ctx: context } = plot;
+  const scale = devicePixelRatio;
+  context.save();
+  context.lineWidth = 1.6 * scale;
+  for (const result of data.plotted) {
+    context.strokeStyle = colour(result.failed ? "fail" : "accent");
+    drawMark(context, plot.valToPos(result.seconds, "x", true), plot.valToPos(data.height(result), "y", true),
+      result.failed, markSize * scale);
+  }
+  context.restore();
+}
+
+// The result within 12 pixels of the pointer, or null.
+function nearest(plot, data, event) {
+  const box = plot.over.getBoundingClientRect();
+  let best = null, least = 12;
+  for (const result of data.plotted) {
+    const distance = Math.hypot(plot.valToPos(result.seconds, "x") - (event.clientX - box.left),
+      plot.valToPos(data.height(result), "y") - (event.clientY - box.top));
+    if (distance < least) [best, least] = [result, distance];
+  }
+  return best;
+}
+
+function addPointer(plot, data) {
+  const tip = element("div", { class: "tip", hidden: true });
+  plot.over.append(tip);
+  plot.over.addEventListener("mousemove", (event) => {
+    const result = nearest(plot, data, event);
+    tip.hidden = !result;
+    plot.over.style.cursor = result ? "pointer" : "default";
+    if (!result) return;
+    tip.textContent = `${result.scene}${severalRenderers ? `, ${result.renderer}` : ""}: RMSE ${figure(result.error)}, ${duration(result.seconds)}`;
+    const x = plot.valToPos(result.seconds, "x");
+    tip.classList.toggle("left", x > plot.over.clientWidth / 2);
+    tip.style.left = `${x}px`;
+    tip.style.top = `${plot.valToPos(data.height(result), "y")}px`;
+  });
+  plot.over.addEventListener("mouseleave", () => (tip.hidden = true));
+  plot.over.addEventListener("click", (event) => {
+    const result = nearest(plot, data, event);
+    if (result) location.hash = addressOf(result);
+  });
+}
+
+function drawScatter(place, width, data) {
+  const errorName = (value) => (value === null ? "" : value <= data.floor * 1.01 ? "0" : String(+value.toPrecision(2)));
+  const [first, last] = decades(data.plotted.map((result) => result.seconds));
+  const plot = new uPlot({
+    width, height: 230, legend: { show: false },
+    cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
+    scales: { x: { time: false, distr: 3, range: [first * 0.9, last * 1.1] },
+      y: { distr: 3, range: [data.floor * 0.7, data.high * 1.2] } },
+    axes: [
+      chartAxis({ label: "Time", values: (_, splits) => splits.map((value) => (value === null ? "" : duration(value))) }),
+      chartAxis({ label: "RMSE", size: 54, values: (_, splits) => splits.map(errorName) }),
+    ],
+    series: [{}, { paths: () => null, points: { show: false } }],
+    hooks: { draw: [(drawn) => drawMarks(drawn, data)] },
+  }, [data.plotted.map((result) => result.seconds), data.plotted.map(data.height)], place);
+  addPointer(plot, data);
+  return plot;
+}
+
+function pointList(data) {
+  const order = [...data.plotted].sort((a, b) => b.error - a.error || b.seconds - a.seconds);
+  const entry = (result) => element("li", {},
+    element("a", { href: addressOf(result) }, result.scene, severalRenderers ? ` (${result.renderer})` : ""),
+    ` RMSE ${figure(result.error)}, ${duration(result.seconds)}`);
+  return element("details", { class: "points" }, element("summary", {}, "The points as a list of links"),
+    element("ol", {}, ...order.map(entry)));
+}
+
+function scatterFigure() {
+  const data = scatterData();
+  if (data.plotted.length < 2) return null;
+  const place = element("div", { class: "plot", role: "img",
+    "aria-label": `Time against RMSE of ${count(data.plotted.length, "result")}; they follow as a list.` });
+  keepDrawn(place, (width) => drawScatter(place, width, data));
+  return chartFigure("Time against error", "A click on a point opens its scene; crosses fail", place, pointList(data));
+}
