@@ -1,0 +1,155 @@
+#include "batch/foreign_renderer.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "batch/failure.hpp"
+#include "batch/fingerprint.hpp"
+#include "batch/run_job.hpp"
+#include "image/raster.hpp"
+#include "image/system_error.hpp"
+#include "loading/scene_loader.hpp"
+#include "process/command_line.hpp"
+#include "process/run_program.hpp"
+
+namespace trace {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Tells which pictures a scene names, without reading any.
+class NamesOfImages : public ImageSource {
+ public:
+  SharedImage read(const fs::path& file) override {
+    names_.insert_or_assign(file.string(), true);
+    return share({1, 1, {0, 0, 0}});
+  }
+  bool exists(const fs::path& file) override {
+    std::error_code ignored;
+    names_.try_emplace(file.string(), false);
+    return fs::exists(file, ignored);
+  }
+  const std::map<std::string, bool>& names() const { return names_; }
+
+ private:
+  std::map<std::string, bool> names_;
+};
+
+// What the picture depends on: the scene, its pictures as far as this program understands the scene, the
+// program.
+Record inputs_of(const Job& job) {
+  Record inputs = Record::array();
+  inputs.push_back(input(job.scene, file_hash(job.scene)));
+  NamesOfImages images;
+  load_scene(job.scene, job.options.width, images);
+  for (const auto& [file, wanted] : images.names()) inputs.push_back(input(file, file_hash(file)));
+  const fs::path program = find_program(job.renderer.command.front());
+  if (!program.empty()) inputs.push_back(input(program, file_hash(program)));
+  return inputs;
+}
+
+// A new folder that goes away with everything in it.
+class NewFolder {
+ public:
+  explicit NewFolder(const fs::path& in) {
+    std::string name = (in / ".trace-XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      throw ImageError(fmt::format("cannot make a folder in '{}': {}", in.string(), system_reason(errno)));
+    path_ = name;
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  ~NewFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// The file is on the disk and then has its new name.
+void move_to(const fs::path& from, const fs::path& to) {
+  const int descriptor = open(from.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    fsync(descriptor);
+    close(descriptor);
+  }
+  fs::rename(from, to);
+}
+
+struct Finding {
+  const char* outcome;
+  std::string problem;  // empty where the picture is good
+};
+
+// What the program left at `out`. `begin` is when it was started.
+Finding look_at(const fs::path& out, std::time_t begin) {
+  struct stat state {};
+  if (lstat(out.c_str(), &state) != 0) return {outcome::no_picture, "wrote no picture to {out}"};
+  // Two seconds for file systems whose times are that coarse.
+  if (state.st_mtime < begin - 2)
+    return {outcome::stale_picture, "left a picture that is older than its run: it has not drawn this one"};
+  try {
+    read_raster(out);
+  } catch (const ImageError& e) {
+    return {outcome::bad_picture, fmt::format("wrote a picture that cannot be read: {}", e.what())};
+  }
+  return {outcome::rendered, ""};
+}
+
+}  // namespace
+
+std::vector<std::string> parse_renderer_command(const std::string& text) {
+  try {
+    std::vector<std::string> words = parse_command(text);
+    fill_in(words, {{"scene", ""}, {"out", ""}, {"depth", ""}, {"width", ""}});
+    for (const char* needed : {"{scene}", "{out}"}) {
+      bool found = false;
+      for (const std::string& word : words) found |= word.find(needed) != word.npos;
+      if (!found) throw std::invalid_argument(fmt::format("the command needs the word {}", needed));
+    }
+    return words;
+  } catch (const CommandError& e) {
+    throw std::invalid_argument(e.what());
+  }
+}
+
+void draw_with_program(const Job& job, Record& record) {
+  record["inputs"] = inputs_of(job);
+  const NewFolder folder(job.picture.parent_path());
+  const fs::path out = folder.path() / job.picture.filename();
+  const std::time_t begin = std::time(nullptr);
+  ProgramOptions options;
+  options.limits = job.limits;
+  const ProgramResult result =
+      run_program(fill_in(job.renderer.command, {{"scene", job.scene},
+                                                 {"out", out.string()},
+                                                 {"depth", fmt::format("{}", job.options.depth)},
+                                                 {"width", fmt::format("{}", job.options.width)}}),
+                  options);
+  record["seconds"] = result.seconds;
+  record["cpu_seconds"] = result.cpu_seconds;
+  record["memory_mib"] = static_cast<double>(result.peak_memory_bytes) / (1 << 20);
+  if (!result.outcome.success()) {
+    record["outcome"] = outcome_word(result.outcome);
+    record["message"] = failure_message(job, result.outcome) + result.output;
+    return;
+  }
+  const Finding finding = look_at(out, begin);
+  record["outcome"] = finding.outcome;
+  if (finding.problem.empty()) {
+    move_to(out, job.picture);
+  } else {
+    record["message"] =
+        fmt::format("{}: error: {} {}\n{}", job.scene, job.renderer.name, finding.problem, result.output);
+  }
+}
+
+}  // namespace trace
