@@ -1,17 +1,20 @@
-// The program: chooses the command. What is not the name of another command is `trace [options] scene.ray
-// out.png`.
+// The program: chooses the command by its first argument. What is not the name of another command is
+// `trace [options] scene.ray out.png`; a scene of such a name is written ./diff.
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "tools/trace/batch_command.hpp"
+#include "tools/trace/diff_command.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/render_command.hpp"
 
 int main(int argc, char** argv) {
   try {
-    if (argc > 1 && std::strcmp(argv[1], "batch") == 0) return trace::batch_command(argc - 1, argv + 1);
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command == "batch") return trace::batch_command(argc - 1, argv + 1);
+    if (command == "diff") return trace::diff_command(argc - 1, argv + 1);
     return trace::render_command(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("trace: error: out of memory\n", stderr);

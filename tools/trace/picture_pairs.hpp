@@ -1,0 +1,30 @@
+// Which pictures of two folders belong together.
+//
+// By relative path, extension apart: A/simple/box.png and B/simple/box.bmp are "simple/box". Where a folder
+// holds several pictures that differ only in extension, those of the same extension belong together; what is
+// left over is a pair only where one is left on each side. Everything else has no partner, and several
+// pictures of one name are told apart by their extension.
+//
+// Pictures are told by extension. Skipped are hidden files and folders, heat maps (*.heat.png), files of
+// other kinds, and what a symbolic link to a folder leads to.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trace {
+
+struct PicturePair {
+  std::string name;   // "simple/box"; with its extension where another picture has that name
+  std::string scene;  // "simple/box" in any case: what tolerances are given for
+  std::optional<std::filesystem::path> reference, test;  // empty where there is no such file
+  std::string note;  // why there is no partner, where that is not simply that there is no file
+};
+
+// In the order of their names. Throws std::filesystem::filesystem_error where a folder cannot be read.
+std::vector<PicturePair> pair_pictures(const std::filesystem::path& reference,
+                                       const std::filesystem::path& test);
+
+}  // namespace trace
