@@ -11,6 +11,7 @@ struct MeasureOptions {
   double threshold = 1;  // levels, for percent_over_threshold
   bool ssim = true;
   bool flip = true;
+  unsigned threads = 2;  // at most; the figures are the same for any number
 };
 
 // Needs equal width, height and channels. Samples that are not finite in either picture are counted and left

@@ -1,0 +1,39 @@
+// What FLIP's observer makes of a tile of one picture.
+#pragma once
+
+#include "comparison/convolution.hpp"
+#include "comparison/flip_filters.hpp"
+#include "comparison/srgb.hpp"
+#include "comparison/tiles.hpp"
+#include "image/raster.hpp"
+
+namespace trace {
+
+// Of the same size as the tile.
+struct FlipSeen {
+  Plane l, a, b;        // colour after the eye's filter, as HuntLab
+  Plane edges, points;  // how strong the features are
+};
+
+// Of tiles, reusing its memory from one to the next. Beyond its border the picture goes on with the colour of
+// its nearest pixel.
+class FlipObserver {
+ public:
+  FlipObserver(const FlipFilters& filters, const LinearOfLevel& linear)
+      : filters_(filters), linear_(linear) {}
+
+  void look(const Raster& raster, const Tile& tile, FlipSeen& seen);
+
+ private:
+  void load(const Raster& raster, const Tile& surroundings);
+  void filter(const Plane& in, const FlipFilters::Taps& taps, Plane& out);
+  void see_colors(FlipSeen& seen);
+  void see_features(FlipSeen& seen);
+
+  const FlipFilters& filters_;
+  const LinearOfLevel& linear_;
+  Plane light_, red_green_, blue_yellow_;  // of the tile with color_radius around it
+  Plane scratch_, cut_, second_, smooth_, edge_, point_;
+};
+
+}  // namespace trace

@@ -1,0 +1,35 @@
+// Work cut into parts whose results do not depend on who does them.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace trace {
+
+// Calls `part(i)` once for every i below `parts`, on at most `threads` threads (at least this one). The first
+// exception of any part is thrown again when all threads have ended.
+template <typename Part>
+void in_parallel(std::size_t parts, unsigned threads, const Part& part) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < parts; i = next++) part(i);
+    } catch (...) {
+      if (!failed.exchange(true)) failure = std::current_exception();
+      next = parts;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < threads && i < parts; ++i) helpers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace trace
