@@ -51,9 +51,11 @@ struct JudgeOptions {
   bool perceptual = true;          // SSIM and FLIP even where no tolerance asks for them
   std::filesystem::path heat_map;  // written where the pictures differ and this is not empty
   double amplify = 1;              // of the heat map
+  unsigned threads = 2;            // at most; the judgement is the same for any number
 };
 
-// Never throws for what is wrong with the two files. Throws ImageError where the heat map cannot be written.
+// Files with the same bytes are decoded once. Never throws for what is wrong with the two files. Throws
+// ImageError where the heat map cannot be written.
 Judgement judge(const std::filesystem::path& reference, const std::filesystem::path& test,
                 const JudgeOptions& options = {});
 
