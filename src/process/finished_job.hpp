@@ -13,6 +13,7 @@ using JobId = std::uint64_t;
 struct FinishedJob {
   JobId id = 0;
   Outcome outcome;
+  bool answered() const { return outcome.kind == Outcome::Kind::answered; }
   std::string answer;  // where it answered
   std::string errors;  // what it wrote to standard output and error, bounded; then the text of its exception
   double seconds = 0;

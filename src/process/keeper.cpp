@@ -111,6 +111,9 @@ void keep_program(const ProgramStart& start, pid_t parent) {
     _exit(told == sizeof error ? 127 : 126);
   }
   setpgid(program, program);  // whoever comes first
+  close(start.output);
+  if (start.errors != start.output) close(start.errors);
+  close(start.failure);
   if (start.report > 0) close_range(0, unsigned(start.report) - 1, 0);
   close_range(unsigned(start.report) + 1, ~0U, 0);
 

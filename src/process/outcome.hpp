@@ -17,8 +17,6 @@ struct Outcome {
   Kind kind = Kind::answered;
   int number = 0;
 
-  // A job's answer, or exit status 0 of a program.
-  bool success() const { return kind == Kind::answered || (kind == Kind::exited && number == 0); }
   bool operator==(const Outcome&) const = default;
 };
 

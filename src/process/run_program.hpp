@@ -3,6 +3,9 @@
 // No shell; standard input is empty; no core file. It is in a process group of its own and does not see the
 // terminal's signals. Whatever it started has ended when run_program() returns, and when this process ends.
 //
+// Costs 1.5 ms for a small process, and some 0.1 ms more for each megabyte that ours has written to: it is
+// forked.
+//
 // The memory limit is kept in two ways. RLIMIT_DATA (see data_limit.hpp for why not RLIMIT_AS) lets an
 // allocation fail in a process that asks for too much; what all processes of the program have resident is
 // looked at every few milliseconds, and they are killed when it is too much together. A program built with
@@ -29,6 +32,7 @@ struct ProgramOptions {
 
 struct ProgramResult {
   Outcome outcome;
+  bool succeeded() const { return outcome == Outcome{Outcome::Kind::exited, 0}; }
   std::string output;  // bounded: see bounded_text.hpp
   std::string errors;  // where they are kept apart
   double seconds = 0;

@@ -22,7 +22,7 @@ namespace {
 
 // Memory that a job freed but malloc kept would come on top of the next job's limit, so it is given back
 // where it may be much.
-constexpr std::uint64_t much_memory = std::uint64_t{64} << 20;
+constexpr std::uint64_t much_memory = std::uint64_t{16} << 20;
 
 // The work's result or what it threw. The limit is lifted again when this returns.
 Message do_job(const Message& job, const Work& work, BlobExchange& blobs) {
@@ -69,6 +69,7 @@ void run_worker(int socket, const Work& work) {
   Channel supervisor(socket);
   BlobExchange blobs(supervisor);
   while (const std::optional<Message> job = supervisor.receive()) {
+    const std::uint64_t before = resident_memory(getpid()).own;
     reset_peak_resident();
     const auto start = std::chrono::steady_clock::now();
     Message result = do_job(*job, work, blobs);
@@ -82,7 +83,7 @@ void run_worker(int socket, const Work& work) {
     supervisor.send(figures_message(figures));
     supervisor.send(std::move(result));
     if (!goes_on) _exit(1);
-    if (figures.peak_memory_bytes > resident_memory(getpid()).all + much_memory) malloc_trim(0);
+    if (resident_memory(getpid()).own > before + much_memory) malloc_trim(0);
   }
   _exit(0);
 }

@@ -47,11 +47,11 @@ WorkerProcess* WorkerPool::free_worker() {
   }
   if (there >= options_.workers) return nullptr;
   try {
-    WorkerProcess worker(next_worker_, work_, [this] {
+    ForkedWorker forked = fork_worker(work_, [this] {
       workers_.clear();
       blobs_.clear();
     });
-    workers_.push_back(std::move(worker));
+    workers_.emplace_back(next_worker_, std::move(forked));
   } catch (const std::system_error&) {
     if (workers_.empty()) throw;
     return nullptr;  // those there are go on

@@ -20,7 +20,9 @@
 // limit is what the job may add to what its worker has at the start: allocations beyond it fail with
 // std::bad_alloc (RLIMIT_DATA), and a worker that has more resident is killed within milliseconds.
 //
-// Measured (two cores, 100 jobs of each kind, two workers): see options.
+// Staying workers against one fork a job, measured over two workers on two cores, microseconds a job, minima:
+// 44 against 498 for an empty answer, 378 against 1779 for one of a megabyte; where the supervisor holds 200
+// MB, 188 against 13436, since a fork copies the page tables.
 #pragma once
 
 #include <chrono>

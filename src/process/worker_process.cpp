@@ -1,80 +1,26 @@
 #include "process/worker_process.hpp"
 
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
-#include <exception>
-#include <iostream>
-#include <system_error>
 #include <utility>
 
-#include "process/child_setup.hpp"
 #include "process/cpu_time.hpp"
 #include "process/pidfd.hpp"
 #include "process/pipe.hpp"
 #include "process/process_files.hpp"
-#include "process/sanitizers.hpp"
 
 namespace trace {
-namespace {
-
-[[noreturn]] void fail(const char* what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-}  // namespace
-
-WorkerProcess::WorkerProcess(int id, const Work& work, const std::function<void()>& in_child) : id_(id) {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
-  socket_ = above_standard(Descriptor(ends[0]));
-  const Descriptor worker_socket = above_standard(Descriptor(ends[1]));
-  Pipe errors;
-  errors_ = std::move(errors.read);
-  Descriptor worker_errors = std::move(errors.write);
-
-  std::cout.flush();  // else the worker would write the same once more
-  std::fflush(nullptr);
-  const pid_t supervisor = getpid();
-  pid_ = fork();
-  if (pid_ < 0) fail("fork");
-  if (pid_ == 0) {
-    try {
-      die_with(supervisor, SIGKILL);
-      default_signals(built_with_sanitizer);
-      std::signal(SIGINT, SIG_IGN);  // Ctrl-C goes to all of the group; what it means, the supervisor decides
-      no_core_file();
-      in_child();
-      socket_.reset();
-      errors_.reset();
-      no_standard_input();
-      place_descriptor(worker_errors.get(), STDOUT_FILENO);
-      place_descriptor(worker_errors.get(), STDERR_FILENO);
-      if (worker_errors.get() > STDERR_FILENO) worker_errors.reset();
-      run_worker(worker_socket.get(), work);
-    } catch (...) {
-      _exit(1);
-    }
-  }
-  process_ = Descriptor(pidfd_open(pid_, 0));
-  if (!process_) {
-    const int error = errno;
-    ::kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-    errno = error;
-    fail("pidfd_open");
-  }
-  must_not_block(socket_);
-  must_not_block(errors_);
-}
+WorkerProcess::WorkerProcess(int id, ForkedWorker forked)
+    : id_(id),
+      pid_(forked.pid),
+      process_(std::move(forked.process)),
+      socket_(std::move(forked.socket)),
+      errors_(std::move(forked.errors)) {}
 
 void WorkerProcess::start(JobId id, std::string job, const Limits& limits) {
   job_ = id;
@@ -104,7 +50,10 @@ std::optional<Message> WorkerProcess::receive() {
     std::memcpy(&figures_, message->body.data(), sizeof figures_);
     return receive();
   }
-  if (!message && reader_.closed()) kill();  // it ends now, if it has not ended already
+  if (!message && reader_.closed()) {
+    kill();  // if it has not ended already
+    socket_.reset();
+  }
   return message;
 }
 

@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "process/bounded_text.hpp"
 #include "process/descriptor.hpp"
 #include "process/finished_job.hpp"
+#include "process/fork_worker.hpp"
 #include "process/limits.hpp"
 #include "process/message.hpp"
 #include "process/worker.hpp"
@@ -23,9 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 class WorkerProcess {
  public:
-  // Forks. `in_child` runs in the new process first, to let go of what belongs to the supervisor. Throws
-  // std::system_error.
-  WorkerProcess(int id, const Work& work, const std::function<void()>& in_child);
+  WorkerProcess(int id, ForkedWorker forked);
   WorkerProcess(WorkerProcess&&) = default;
   WorkerProcess& operator=(WorkerProcess&&) = default;
 

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include "process/worker_pool.hpp"
 #include "tests/process/pool_jobs.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace trace::test {
 namespace {
@@ -28,7 +30,7 @@ TEST_CASE("a thousand small jobs over two workers are each answered once") {
   REQUIRE(all.size() == 1000);
   for (const auto& [id, job] : all) {
     const std::string text = "job " + std::to_string(id);
-    REQUIRE(job.outcome.success());
+    REQUIRE(job.answered());
     REQUIRE(job.answer == std::string(text.rbegin(), text.rend()));
   }
 }
@@ -49,7 +51,7 @@ TEST_CASE("jobs and answers may be of fifty megabytes or empty, and hold any byt
   pool.submit(2, "");
   const auto all = finish_all(pool);
   CHECK(all.at(1).answer == large);
-  CHECK(all.at(2).outcome.success());
+  CHECK(all.at(2).answered());
   CHECK(all.at(2).answer.empty());
 }
 
@@ -120,9 +122,9 @@ TEST_CASE("a worker killed from outside costs its own job only") {
   pool.submit(3, "victim");
   pool.submit(4, "");
   const auto all = finish_all(pool);
-  CHECK(all.at(2).outcome.success());
+  CHECK(all.at(2).answered());
   CHECK(all.at(3).outcome == Outcome{Outcome::Kind::signalled, SIGKILL});
-  CHECK(all.at(4).outcome.success());
+  CHECK(all.at(4).answered());
 }
 
 TEST_CASE("workers stay for further jobs unless they are told to be replaced") {
@@ -170,6 +172,38 @@ TEST_CASE("a pool leaves neither processes nor open files behind") {
   }
   CHECK(open_files() == before);
   CHECK(kill(pid_t(std::stol(worker)), 0) == -1);  // not even a zombie
+}
+
+TEST_CASE("a worker runs nothing of what the supervisor left for its own end") {
+  static std::atomic<int>* ended = nullptr;
+  SharedNumber number;
+  ended = &*number;
+  std::atexit([] {
+    if (ended != nullptr) ++*ended;
+  });
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "text";
+  std::FILE* stream = std::fopen(file.c_str(), "w");
+  std::fputs("once", stream);
+  {
+    WorkerPool pool(1, [](std::string_view job, BlobExchange&) -> std::string {
+      if (job == "exit") std::exit(0);
+      if (job == "throw") throw 1;
+      return "";
+    });
+    pool.submit(1, "exit");
+    pool.submit(2, "throw");
+    pool.submit(3, "");
+    const auto all = finish_all(pool);
+    CHECK(all.at(1).outcome == Outcome{Outcome::Kind::exited, 0});
+    CHECK_FALSE(all.at(1).answered());
+    CHECK(all.at(2).errors == "exception of an unknown type");
+    CHECK(all.at(3).answered());
+  }
+  std::fclose(stream);
+  CHECK(read_text(file) == "once");
+  CHECK(*number == 0);
+  ended = nullptr;
 }
 
 TEST_CASE("what a job took is measured") {
