@@ -36,7 +36,8 @@ Json with_places(const Json& report, html::Pictures& pictures) {
     for (const char* role : {"picture", "solution", "heat"}) {
       const std::string name = text_of(result, role);
       if (name.empty()) continue;
-      const bool same = role == std::string_view("solution") && identical(result) && places.contains("picture");
+      const bool same =
+          role == std::string_view("solution") && identical(result) && places.contains("picture");
       places[role] = same ? places["picture"] : pictures.place(name);
     }
     result["places"] = std::move(places);
@@ -45,8 +46,8 @@ Json with_places(const Json& report, html::Pictures& pictures) {
 }
 
 bool is_batch_report(const Json& report) {
-  return report.is_object() && text_of(report, "format") == "trace-batch" && report.value("version", 0) == 1 &&
-         report.contains("results") && report["results"].is_array();
+  return report.is_object() && text_of(report, "format") == "trace-batch" &&
+         report.value("version", 0) == 1 && report.contains("results") && report["results"].is_array();
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {

@@ -8,8 +8,8 @@
 
 namespace trace::html {
 
-// The bytes of the file if it is a PNG, else those of a PNG of the same picture in 8-bit RGB. A damaged PNG is
-// given as it is: browsers show what there is of it. Throws ImageError.
+// The bytes of the file if it is a PNG, else those of a PNG of the same picture in 8-bit RGB. A damaged PNG
+// is given as it is: browsers show what there is of it. Throws ImageError.
 std::vector<std::uint8_t> png_bytes(const std::filesystem::path& file);
 
 // Can browsers show this kind of file? False also where it cannot be opened.

@@ -23,12 +23,14 @@ function keepDrawn(place, draw) {
 function chartAxis(options) {
   const lines = { stroke: colour("line"), width: 1 };
   return { stroke: colour("muted"), font: chartFont, labelFont: chartFont, grid: lines, ticks: lines,
-    labelSize: 18, ...options };
+    labelSize: 18, filter: (_, splits) => splits, ...options };
 }
+
+const chartHeight = 180;  // pixels
 
 function chartFigure(title, text, place, extra) {
   return element("figure", { class: "chart" },
-    element("figcaption", {}, element("h2", {}, title), element("p", { class: "muted" }, text)), place, extra);
+    element("figcaption", {}, element("h2", {}, title), element("span", { class: "muted" }, text)), place, extra);
 }
 
 // The powers of ten around the values, as [low, high].
@@ -36,6 +38,15 @@ function decades(values) {
   const low = Math.min(...values), high = Math.max(...values);
   const down = 10 ** Math.floor(Math.log10(low)), up = 10 ** Math.ceil(Math.log10(high));
   return [down, up > down ? up : down * 10];
+}
+
+// Marks of a logarithmic axis: the powers of ten in its range, at most six.
+function decadeSplits(low, high) {
+  const first = Math.ceil(Math.log10(low)), last = Math.floor(Math.log10(high));
+  const step = Math.ceil((last - first + 1) / 6);
+  const marks = [];
+  for (let power = first; power <= last; power += step) marks.push(10 ** power);
+  return marks;
 }
 
 function buildCharts() {

@@ -34,7 +34,9 @@ function verdictChips(chosen) {
   for (const chip of chips.children) {
     const state = chip.dataset.value;
     if (state === "all") continue;
-    chip.prepend(icon(state === "failures" || !passing.has(state) ? "fail" : "pass"));
+    const fails = !passing.has(state);
+    chip.classList.toggle("fails", fails);
+    chip.prepend(icon(fails ? "fail" : "pass"));
   }
   return chips;
 }

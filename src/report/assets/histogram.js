@@ -22,13 +22,14 @@ function drawHistogram(place, width, bars) {
   const passed = bars.map((bar) => bar.passed || null);
   const paths = uPlot.paths.bars({ size: [0.8, 60] });
   const series = (name) => ({ fill: colour(name), stroke: colour(name), width: 0, paths, points: { show: false } });
+  const names = bars.map((bar, index) => (width > 460 || index % 2 === 1 ? bar.name : ""));
   const whole = (plot, splits) => splits.map((value) => (Number.isInteger(value) ? value : ""));
   return new uPlot({
-    width, height: 230, legend: { show: false }, cursor: { show: false },
+    width, height: chartHeight, legend: { show: false }, cursor: { show: false },
     scales: { x: { time: false, range: [-0.6, bars.length - 0.4] }, y: { range: [0, Math.max(...totals) * 1.08] } },
     axes: [
-      chartAxis({ splits: () => at, values: () => bars.map((bar) => bar.name), grid: { show: false },
-        label: "RMSE above \u2026 levels (none: no figure)", space: 10 }),
+      chartAxis({ splits: () => at, values: () => names, size: 30, grid: { show: false },
+        label: "RMSE above \u2026 levels; none: it has no figure", space: 10 }),
       chartAxis({ values: whole, size: 44, label: "Results" }),
     ],
     series: [{}, series("fail"), series("accent")],

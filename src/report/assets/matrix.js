@@ -20,13 +20,20 @@ function rendererHead(renderer) {
     element("span", { class: "time" }, `${failures ? count(failures, "failure") : "all pass"} \u00b7 ${duration(seconds)}`));
 }
 
+// The solution, or what one of them made of it.
+function sceneThumbnail(cells) {
+  for (const role of ["solution", "picture"])
+    for (const result of cells.values()) if (result.places[role]) return thumbnail(result.places[role], "");
+  return null;
+}
+
 function matrixView(shown) {
   const inView = renderers.filter((renderer) => wanted.renderer === "all" || renderer === wanted.renderer);
   const byScene = new Map();  // in the order of the best placed result of each
   for (const result of shown) if (!byScene.has(result.scene)) byScene.set(result.scene, new Map());
   for (const result of results) byScene.get(result.scene)?.set(result.renderer, result);
   const row = ([scene, cells]) => element("tr", { "data-scene": scene },
-    element("th", { scope: "row" }, scene), ...inView.map((renderer) => matrixCell(cells.get(renderer))));
+    element("th", { scope: "row" }, sceneThumbnail(cells), element("span", {}, scene)), ...inView.map((renderer) => matrixCell(cells.get(renderer))));
   return element("div", { class: "wide" },
     element("table", { class: "matrix" },
       element("caption", { class: "hidden" }, "Scenes by renderers: the RMSE, or what went wrong, and the time."),

@@ -72,16 +72,17 @@ function addPointer(plot, data) {
 }
 
 function drawScatter(place, width, data) {
-  const errorName = (value) => (value === null ? "" : value <= data.floor * 1.01 ? "0" : String(+value.toPrecision(2)));
+  const errorName = (value) => (value <= data.floor * 1.01 ? "0" : String(+value.toPrecision(2)));
   const [first, last] = decades(data.plotted.map((result) => result.seconds));
+  const errorSplits = [data.floor, ...decadeSplits(data.floor * 9, data.high * 1.2)];
   const plot = new uPlot({
-    width, height: 230, legend: { show: false },
+    width, height: chartHeight, legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
     scales: { x: { time: false, distr: 3, range: [first * 0.9, last * 1.1] },
       y: { distr: 3, range: [data.floor * 0.7, data.high * 1.2] } },
     axes: [
-      chartAxis({ label: "Time", values: (_, splits) => splits.map((value) => (value === null ? "" : duration(value))) }),
-      chartAxis({ label: "RMSE", size: 54, values: (_, splits) => splits.map(errorName) }),
+      chartAxis({ label: "Time", size: 30, splits: () => decadeSplits(first * 0.9, last * 1.1), values: (_, splits) => splits.map(duration) }),
+      chartAxis({ label: "RMSE", size: 54, splits: () => errorSplits, values: (_, splits) => splits.map(errorName) }),
     ],
     series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [(drawn) => drawMarks(drawn, data)] },

@@ -13,18 +13,24 @@ function otherRole(result) {
 
 const stagePicture = (result, role) => picture(result.places[role], roleName.get(role));
 
-// Zoom 2 makes each pixel of the picture two of the page.
-function applyZoom(frame) {
+// How many pixels of the page a pixel of the picture takes: a whole number, unless the picture must shrink.
+function fitScale(frame, images) {
+  const most = (key) => Math.max(...images.map((image) => image[key]));
+  const height = Math.max(320, innerHeight - 240);
+  const scale = Math.min((frame.clientWidth - 2) / most("naturalWidth"), height / most("naturalHeight"));
+  return scale < 1 ? scale : Math.min(8, Math.floor(scale));
+}
+
+// Side by side they fit by the style sheet alone.
+async function applyZoom(frame) {
   frame.dataset.zoom = viewing.zoom;
-  for (const image of frame.querySelectorAll("img")) {
-    const size = () => {
-      const width = viewing.zoom === "fit" ? "" : `${image.naturalWidth * Number(viewing.zoom)}px`;
-      image.style.width = width;
-      image.style.maxWidth = width ? "none" : "";
-    };
-    if (image.naturalWidth) size();
-    else image.addEventListener("load", size);
-  }
+  const images = [...frame.querySelectorAll("img")];
+  const loaded = (image) => image.complete && image.naturalWidth ||
+    new Promise((done) => image.addEventListener("load", done, { once: true }));
+  await Promise.all(images.map(loaded));
+  const alone = viewing.zoom === "fit" && frame.querySelector(".beside");
+  const scale = alone ? null : viewing.zoom === "fit" ? fitScale(frame, images) : Number(viewing.zoom);
+  for (const image of images) image.style.width = scale ? `${image.naturalWidth * scale}px` : "";
 }
 
 function swipeView(result, role) {

@@ -1,6 +1,6 @@
 // The stage with its tools: how to compare, with what, how large.
 
-let stage = null;  // of the result that is open: {show, blink, close}
+let stage = null;  // of the result that is open: {blink, close, fit}
 
 function openStage(result) {
   const frame = element("div", { class: "stage" });
@@ -40,10 +40,12 @@ function openStage(result) {
       applyZoom(frame);
     });
 
-  show();
-  stage = { blink, close };
+  requestAnimationFrame(show);  // when the frame is in the page and has a width
+  stage = { blink, close, fit: () => applyZoom(frame) };
   const comparable = result.places.picture && others.length;
   return element("div", { class: "pictures" },
     element("div", { class: "bar" }, comparable ? modes : null, comparable && others.length > 1 ? other : null, zoom),
     frame);
 }
+
+addEventListener("resize", () => stage && stage.fit());

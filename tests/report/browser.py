@@ -1,0 +1,93 @@
+"""A headless Chromium with the questions that the tests of the report ask it."""
+
+import json
+import shutil
+import sys
+
+BROWSER = shutil.which("chromium")
+DRIVER = shutil.which("chromedriver")
+ABSENT = 77  # exit status where there is no browser
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import WebDriverWait
+except ImportError:
+    webdriver = None
+
+
+def require():
+    """Ends the program with ABSENT where the browser cannot be had."""
+    for name, found in (("chromium", BROWSER), ("chromium-driver", DRIVER), ("python3-selenium", webdriver)):
+        if not found:
+            print(f"{name} is not installed (tools/install-packages --tests)")
+            sys.exit(ABSENT)
+
+
+class Browser:
+    def __init__(self):
+        options = webdriver.ChromeOptions()
+        options.binary_location = BROWSER
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                         "--hide-scrollbars", "--force-device-scale-factor=1", "--window-size=1400,1000"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.set_script_timeout(20)
+
+    def close(self):
+        self.driver.quit()
+
+    def emulate(self, **features):
+        """emulate(prefers_color_scheme="dark"); what is not given is as usual."""
+        wanted = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": wanted})
+
+    def size(self, width, height):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                    {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def load(self, file, fragment=""):
+        self.driver.get("about:blank")
+        self.driver.get(file.resolve().as_uri() + fragment)
+
+    def run(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def texts(self, selector):
+        return self.run("return [...document.querySelectorAll(arguments[0])].map((e) => e.textContent)", selector)
+
+    def press(self, key):
+        """To what has the focus."""
+        self.driver.switch_to.active_element.send_keys(key)
+
+    def actions(self):
+        return webdriver.ActionChains(self.driver, duration=20)
+
+    def wait(self, script, *arguments, seconds=15):
+        """Until the script returns something true, which is the result."""
+        return WebDriverWait(self.driver, seconds, 0.02).until(lambda _: self.run(script, *arguments), script)
+
+    def screenshot(self, file):
+        self.driver.save_screenshot(str(file))
+
+    def complaints(self):
+        """Messages on the console that are warnings or errors, since the last call."""
+        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
+
+    def requests(self):
+        """Addresses asked for since the last call."""
+        found = []
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                found.append(message["params"]["request"]["url"])
+        return found
