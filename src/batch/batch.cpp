@@ -114,7 +114,9 @@ class BatchRunner {
 
   void take(const FinishedJob& finished) {
     const Job& job = jobs_[finished.id];
-    Record record = finished.outcome.success() ? Record::parse(finished.answer, nullptr, false) : Record();
+    Record record = finished.outcome.kind == Outcome::Kind::answered
+                        ? Record::parse(finished.answer, nullptr, false)
+                        : Record();
     if (!record.is_object()) record = failure_record(job, finished);
     if (job.renderer.command.empty() && job.finished.is_null())
       record["memory_mib"] = static_cast<double>(finished.peak_memory_bytes) / (1 << 20);

@@ -43,17 +43,19 @@ Record input(const std::filesystem::path& file, const std::optional<std::string>
 }
 
 std::string picture_key(const Job& job, const std::string& program) {
-  return content_hash(fmt::format(
-      "{}\n{}\n{}\n{}\n{}\n{}", absolute_name(job.scene), absolute_name(job.picture), absolute_name(job.cube_map),
-      text(job.options), fmt::join(job.renderer.command, "\n"), job.renderer.command.empty() ? program : ""));
+  return content_hash(fmt::format("{}\n{}\n{}\n{}\n{}\n{}", absolute_name(job.scene),
+                                  absolute_name(job.picture), absolute_name(job.cube_map), text(job.options),
+                                  fmt::join(job.renderer.command, "\n"),
+                                  job.renderer.command.empty() ? program : ""));
 }
 
 std::string comparison_key(const Job& job, FileHashes& files) {
   if (job.solution.empty()) return "";
   const Tolerance& t = job.tolerance;
   return content_hash(fmt::format("{}\n{}\n{}\n{} {} {} {} {} {}", absolute_name(job.solution),
-                                  files.of(job.solution).value_or(""), absolute_name(job.heat_map), text(t.rmse),
-                                  text(t.max), text(t.pixels), t.over, text(t.ssim), text(t.flip)));
+                                  files.of(job.solution).value_or(""), absolute_name(job.heat_map),
+                                  text(t.rmse), text(t.max), text(t.pixels), t.over, text(t.ssim),
+                                  text(t.flip)));
 }
 
 std::string own_program_hash() {

@@ -137,7 +137,7 @@ void draw_with_program(const Job& job, Record& record) {
   record["seconds"] = result.seconds;
   record["cpu_seconds"] = result.cpu_seconds;
   record["memory_mib"] = static_cast<double>(result.peak_memory_bytes) / (1 << 20);
-  if (!result.outcome.success()) {
+  if (result.outcome != Outcome{Outcome::Kind::exited, 0}) {
     record["outcome"] = outcome_word(result.outcome);
     record["message"] = failure_message(job, result.outcome) + result.output;
     return;

@@ -30,7 +30,8 @@ TEST_CASE("a batch finds all scenes below its folder, in order of their names") 
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "b/c");
   std::filesystem::create_directories(folder / ".hidden");
-  for (const char* file : {"z.ray", "a.ray", "b/m.ray", "b/c/deep.ray", "b/notes.txt", ".hidden/x.ray", ".dot.ray"})
+  for (const char* file :
+       {"z.ray", "a.ray", "b/m.ray", "b/c/deep.ray", "b/notes.txt", ".hidden/x.ray", ".dot.ray"})
     write_text(folder / file, "");
   std::filesystem::create_directory_symlink(folder / "b", folder / "link");
   using List = std::vector<std::string>;
