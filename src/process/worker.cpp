@@ -1,7 +1,6 @@
 #include "process/worker.hpp"
 
 #include <malloc.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>

@@ -5,9 +5,8 @@
 // crashed, threw or was killed at a limit is replaced. Its job is reported and never tried again.
 //
 // What the supervisor must keep to:
-// - It has one thread when workers are forked, which is whenever wait() is called: a forked process has only
-// the
-//   thread that forked it. It must not have used TBB's threads; the workers may.
+// - It has a single thread whenever it calls wait(), which forks: only the thread that forks goes on in the
+//   new process. So it must not have used TBB or OpenImageIO, which keep threads; the workers may.
 // - Limits are enforced, and idle workers given their next job, inside wait() only.
 // - The thread that made the pool stays: workers are killed when it ends, even by SIGKILL.
 //
@@ -28,7 +27,6 @@
 #include <chrono>
 #include <cstddef>
 #include <deque>
-#include <memory>
 #include <string>
 #include <vector>
 
