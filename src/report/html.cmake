@@ -4,7 +4,7 @@ target_sources(trace_report PRIVATE html.cpp html_picture_data.cpp html_pictures
 
 set(html_scripts
   elements.js theme.js results.js text.js header.js pictures.js filter.js list.js matrix.js charts.js histogram.js
-  scatter.js stage.js stage_tools.js crops.js facts.js detail.js keys.js main.js)
+  scatter.js stage.js probe.js stage_tools.js crops.js facts.js detail.js keys.js main.js)
 set(html_styles base.css list.css detail.css print.css)
 list(TRANSFORM html_scripts PREPEND assets/)
 list(TRANSFORM html_styles PREPEND assets/)

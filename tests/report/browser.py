@@ -1,8 +1,10 @@
 """A headless Chromium with the questions that the tests of the report ask it."""
 
 import json
+import os
 import shutil
 import sys
+import tempfile
 
 BROWSER = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
@@ -28,6 +30,7 @@ def require():
 
 class Browser:
     def __init__(self):
+        os.environ.setdefault("HOME", tempfile.gettempdir())  # Chromium needs one
         options = webdriver.ChromeOptions()
         options.binary_location = BROWSER
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",

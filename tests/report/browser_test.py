@@ -286,10 +286,37 @@ def broken_pictures_and_markup_in_names_do_no_harm(page, folder):
     page.press(browser.Keys.ESCAPE)
     open_scene(page, "</script><img src=x onerror=alert(1)>.ray")
     assert page.run("return document.querySelectorAll('[onerror]').length") == 0
-    page.press(browser.Keys.ESCAPE)
+
+
+@test
+def pictures_of_different_sizes_stand_beside_each_other(page, folder):
+    page.load(folder / "one.html")
     open_scene(page, "features/cone.ray")
-    page.one("#detail .choice [data-value=side]").click()
     pictures_shown(page, 2)
+    assert page.all("img-comparison-slider") == []
+    captions = page.texts(".stage figcaption")
+    assert [caption.split(", ")[0] for caption in captions] == ["Ours", "Solution"], captions
+    assert "96" in captions[0] and "160" in captions[1], captions
+
+
+@test
+def the_pixel_under_the_pointer_is_told(page, folder):
+    page.load(folder / "one.html")
+    open_scene(page, "showcase/still_life.ray")
+    pictures_shown(page, 2)
+    largest = page.run("return JSON.parse(document.getElementById('report').textContent).results.find("
+                       "(each) => each.scene === 'showcase/still_life.ray').comparison.measurements.largest")
+    text = page.wait("""const image = document.querySelector(".stage img"), box = image.getBoundingClientRect();
+        const at = (share, size) => (share + 0.5) / size;
+        image.dispatchEvent(new MouseEvent("mousemove", { bubbles: true, composed: true,
+            clientX: box.left + at(arguments[0], image.naturalWidth) * box.width,
+            clientY: box.top + at(arguments[1], image.naturalHeight) * box.height }));
+        const text = document.querySelector(".probe").textContent;
+        return text.includes("Ours") && text.includes("Solution") && text""", largest["x"], largest["y"])
+    where, ours, solution = text.split(" \u00b7 ")
+    assert where == f"x {largest['x']}, y {largest['y']}", text
+    assert int(ours.split()[1 + largest["channel"]]) == largest["test"], (text, largest)
+    assert int(solution.split()[1 + largest["channel"]]) == largest["reference"], (text, largest)
 
 
 @test

@@ -70,6 +70,7 @@ detail.addEventListener("close", () => {
 
 function followAddress() {
   const result = resultsByAddress.get(location.hash);
+  if (result && result === opened) return;
   if (result) showDetail(result);
   else if (opened) closeDetail();
 }

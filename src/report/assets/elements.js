@@ -12,6 +12,13 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+// A path that may break after each of its parts. It stays one word for those who copy it.
+function pathText(path) {
+  const text = element("span", { class: "path" });
+  for (const part of path.split(/(?<=[/_])/)) text.append(part, element("wbr"));
+  return text;
+}
+
 const icons = {
   pass: "M3 8.5 6.5 12 13 4.5",
   fail: "M4 4 12 12M12 4 4 12",

@@ -3,6 +3,7 @@
 function headline() {
   const failures = results.filter((result) => result.failed).length;
   if (results.length === 0) return ["none", "No scenes"];
+  if (failures && results.length === 1) return ["fail", "The only result fails"];
   if (failures) return ["fail", `${failures} of ${count(results.length, "result")} ${failures === 1 ? "fails" : "fail"}`];
   return ["pass", results.length === 1 ? "The only result passes" : `All ${count(results.length, "result")} pass`];
 }

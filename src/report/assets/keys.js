@@ -33,6 +33,7 @@ function stepFailure(step) {
   const at = failures.indexOf(opened);
   const next = at < 0 ? (step > 0 ? 0 : failures.length - 1) : (at + step + failures.length) % failures.length;
   location.hash = addressOf(failures[next]);
+  followAddress();  // now, for the next key
 }
 
 function focusFilter() {

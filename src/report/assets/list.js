@@ -25,10 +25,10 @@ function thumbnails(result) {
 function resultRow(result) {
   const { measured } = result;
   const cell = (title, attributes, ...content) => element("td", { "data-title": title, ...attributes }, ...content);
-  const number = (title, text) => cell(title, { class: "number" }, text);
+  const number = (title, text) => cell(title, { class: text === absent ? "number none" : "number" }, text);
   const row = element("tr", { class: result.failed ? "failed" : "passed", "data-scene": result.scene },
     cell("Pictures", { class: "thumbs" }, ...thumbnails(result)),
-    element("th", { scope: "row" }, element("a", { href: addressOf(result) }, result.scene)),
+    element("th", { scope: "row" }, element("a", { href: addressOf(result) }, pathText(result.scene))),
     severalRenderers ? cell("Renderer", { class: "renderer" }, result.renderer) : null,
     cell("Verdict", {}, badge(result)),
     number("RMSE", figure(result.error)),

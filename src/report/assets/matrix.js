@@ -33,7 +33,7 @@ function matrixView(shown) {
   for (const result of shown) if (!byScene.has(result.scene)) byScene.set(result.scene, new Map());
   for (const result of results) byScene.get(result.scene)?.set(result.renderer, result);
   const row = ([scene, cells]) => element("tr", { "data-scene": scene },
-    element("th", { scope: "row" }, sceneThumbnail(cells), element("span", {}, scene)), ...inView.map((renderer) => matrixCell(cells.get(renderer))));
+    element("th", { scope: "row" }, sceneThumbnail(cells), pathText(scene)), ...inView.map((renderer) => matrixCell(cells.get(renderer))));
   return element("div", { class: "wide" },
     element("table", { class: "matrix" },
       element("caption", { class: "hidden" }, "Scenes by renderers: the RMSE, or what went wrong, and the time."),

@@ -17,7 +17,8 @@ async function embeddedUrl(id) {
   if (!data) throw new Error("it is not in this file");
   if (data.dataset.error) throw new Error(data.dataset.error);
   const text = atob(data.textContent);
-  const bytes = Uint8Array.from(text, (character) => character.charCodeAt(0));
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   return URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
 }
 

@@ -71,6 +71,8 @@ function addPointer(plot, data) {
   });
 }
 
+const axisDuration = (seconds) => (seconds < 1 ? `${+(seconds * 1000).toPrecision(1)} ms` : `${seconds} s`);
+
 function drawScatter(place, width, data) {
   const errorName = (value) => (value <= data.floor * 1.01 ? "0" : String(+value.toPrecision(2)));
   const [first, last] = decades(data.plotted.map((result) => result.seconds));
@@ -81,7 +83,7 @@ function drawScatter(place, width, data) {
     scales: { x: { time: false, distr: 3, range: [first * 0.9, last * 1.1] },
       y: { distr: 3, range: [data.floor * 0.7, data.high * 1.2] } },
     axes: [
-      chartAxis({ label: "Time", size: 30, splits: () => decadeSplits(first * 0.9, last * 1.1), values: (_, splits) => splits.map(duration) }),
+      chartAxis({ label: "Time", size: 30, splits: () => decadeSplits(first * 0.9, last * 1.1), values: (_, splits) => splits.map(axisDuration) }),
       chartAxis({ label: "RMSE", size: 54, splits: () => errorSplits, values: (_, splits) => splits.map(errorName) }),
     ],
     series: [{}, { paths: () => null, points: { show: false } }],

@@ -80,14 +80,21 @@ function regionMarks(result) {
 
 function sideView(result) {
   const present = roles.filter(([role]) => result.places[role]);
-  const shownBeside = ([role, name]) => element("figure", {},
-    element("div", { class: "frame" }, stagePicture(result, role), ...(role === "heat" ? [] : regionMarks(result))),
-    element("figcaption", {}, name));
+  const shownBeside = ([role, name]) => {
+    const image = stagePicture(result, role);
+    const caption = element("figcaption", {}, name);
+    image.addEventListener("load", () => caption.append(`, ${image.naturalWidth} \u00d7 ${image.naturalHeight}`));
+    return element("figure", {},
+      element("div", { class: "frame" }, image, ...(role === "heat" ? [] : regionMarks(result))), caption);
+  };
   return element("div", { class: "beside" }, ...present.map(shownBeside));
 }
 
+// Can the pictures lie on one another?
+const overlaid = (result) => result.places.picture && result.state !== "size-differs";
+
 function stageView(result) {
   const role = otherRole(result);
-  if (!result.places.picture || !role || viewing.mode === "side") return sideView(result);
+  if (!overlaid(result) || !role || viewing.mode === "side") return sideView(result);
   return viewing.mode === "blink" ? blinkView(result, role) : swipeView(result, role);
 }

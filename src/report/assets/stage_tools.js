@@ -42,10 +42,10 @@ function openStage(result) {
 
   requestAnimationFrame(show);  // when the frame is in the page and has a width
   stage = { blink, close, fit: () => applyZoom(frame) };
-  const comparable = result.places.picture && others.length;
+  const comparable = overlaid(result) && others.length;
   return element("div", { class: "pictures" },
     element("div", { class: "bar" }, comparable ? modes : null, comparable && others.length > 1 ? other : null, zoom),
-    frame);
+    frame, pixelProbe(result, frame));
 }
 
 addEventListener("resize", () => stage && stage.fit());
