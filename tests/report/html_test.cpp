@@ -23,7 +23,7 @@ Json result(const std::string& scene, const Json& picture = nullptr, const Json&
           {"solution", solution}, {"heat", nullptr},     {"comparison", comparison}};
 }
 
-Json batch(const Json& results, const std::string& title = "t") {
+Json batch(const std::vector<Json>& results, const std::string& title = "t") {
   return {{"format", "trace-batch"},
           {"version", 1},
           {"title", title},
@@ -75,7 +75,7 @@ TEST_CASE("the report is one HTML page with its style, scripts and data") {
 
 TEST_CASE("the report without its pictures is below a megabyte for 200 scenes") {
   const TemporaryFolder folder;
-  Json results = Json::array();
+  std::vector<Json> results;
   for (int i = 0; i < 200; ++i) results.push_back(result("scenes/number" + std::to_string(i) + ".ray"));
   CHECK(page_of(folder, batch(results)).size() < 1'000'000);
 }
@@ -176,7 +176,7 @@ TEST_CASE("a report of another format is refused and leaves the file as it was")
   const TemporaryFolder folder;
   const auto file = folder / "report.html";
   write_text(file, "before");
-  Json report = batch(Json::array());
+  Json report = batch({});
   report["version"] = 2;
   CHECK_THROWS_AS(write_html_report(report, file), std::invalid_argument);
   CHECK_THROWS_AS(write_html_report(Json(3), file), std::invalid_argument);
@@ -185,7 +185,7 @@ TEST_CASE("a report of another format is refused and leaves the file as it was")
 
 TEST_CASE("a report that cannot be written is an error") {
   const TemporaryFolder folder;
-  CHECK_THROWS_AS(write_html_report(batch(Json::array()), folder / "none/report.html"), ImageError);
+  CHECK_THROWS_AS(write_html_report(batch({}), folder / "none/report.html"), ImageError);
 }
 
 }  // namespace trace::test
