@@ -21,7 +21,11 @@ struct Diagnosis {
     reflection_missing,
     object_missing,  // one connected region, where the test shows what is behind
     object_displaced,
-    edges  // differences along edges only
+    edges,  // differences along edges only
+    blank,  // one colour everywhere
+    wrapped,  // bytes that wrap around where the reference is at its limit
+    ambient,  // a constant more, or less, on each surface
+    specular_missing
   };
   Kind kind;
   std::string text;  // "shifted by 1 pixel to the right", without a full stop

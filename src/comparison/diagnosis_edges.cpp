@@ -1,0 +1,104 @@
+#include "comparison/diagnosis_edges.hpp"
+
+#include <array>
+
+namespace trace {
+namespace {
+
+// Of the differing pixels, what may lie outside of the colours around them: lines thinner than a pixel, and corners.
+constexpr double most_outside = 0.05;
+// Of the differing pixels, what may have a wholly differing 3x3 neighbourhood. Lines of one and two pixels have
+// none; where edges crowd there are some.
+constexpr double most_thick = 0.15;
+// The picture is cut into 8 x 8 parts; of those with edges, what must hold a difference.
+constexpr int parts = 8;
+constexpr double least_parts = 0.6;
+constexpr int edge_height = 16;  // levels, of an edge that another sample position is bound to show
+// Levels. What differs by less is shading a part of a pixel further on.
+constexpr int negligible = 4;
+constexpr int rounding = 2;      // levels, of the colours around a pixel
+
+struct Surroundings {
+  std::array<int, 3> low{255, 255, 255}, high{0, 0, 0};
+
+  int height() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+  bool contain(const std::uint8_t* color) const {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (color[c] < low[c] - rounding || color[c] > high[c] + rounding) return false;
+    return true;
+  }
+};
+
+// Of the 3x3 pixels, cut at the border.
+Surroundings around(const PicturePair& pair, int x, int y) {
+  Surroundings box;
+  for (int v = std::max(0, y - 1); v <= std::min(pair.height - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(pair.width - 1, x + 1); ++u)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const int level = pair.of_reference(pair.index(u, v))[c];
+        box.low[c] = std::min(box.low[c], level);
+        box.high[c] = std::max(box.high[c], level);
+      }
+  return box;
+}
+
+bool thick(const PicturePair& pair, int x, int y) {
+  for (int v = std::max(0, y - 1); v <= std::min(pair.height - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 1); u <= std::min(pair.width - 1, x + 1); ++u)
+      if (const std::size_t i = pair.index(u, v);
+          distance(pair.of_reference(i), pair.of_test(i)) <= negligible)
+        return false;
+  return true;
+}
+
+// Share of the parts of the picture with an edge that differ somewhere.
+double parts_touched(const PicturePair& pair) {
+  std::array<int, parts * parts> edges{}, differing{};
+  for (int y = 1; y < pair.height; ++y)
+    for (int x = 1; x < pair.width; ++x) {
+      const std::size_t i = pair.index(x, y);
+      const auto part = static_cast<std::size_t>(y * parts / pair.height * parts + x * parts / pair.width);
+      differing[part] += pair.differs[i] && distance(pair.of_reference(i), pair.of_test(i)) > negligible;
+      const std::uint8_t* here = pair.of_reference(i);
+      edges[part] += distance(here, here - 3) > edge_height ||
+                     distance(here, pair.of_reference(pair.index(x, y - 1))) > edge_height;
+    }
+  int with_edges = 0, touched = 0;
+  for (std::size_t part = 0; part < edges.size(); ++part) {
+    if (edges[part] < 8) continue;
+    ++with_edges;
+    touched += differing[part] > 0;
+  }
+  return with_edges == 0 ? 0 : static_cast<double>(touched) / with_edges;
+}
+
+}  // namespace
+
+EdgeSigns edge_signs(const PicturePair& pair) {
+  EdgeSigns signs;
+  std::size_t outside = 0, thick_ones = 0;
+  for (const std::size_t i : pair.differing) {
+    if (distance(pair.of_reference(i), pair.of_test(i)) <= negligible) continue;
+    ++signs.pixels;
+    const int x = static_cast<int>(i % static_cast<std::size_t>(pair.width));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(pair.width));
+    thick_ones += thick(pair, x, y);
+    outside += !around(pair, x, y).contain(pair.of_test(i));
+  }
+  if (signs.pixels == 0) return signs;
+  signs.outside = static_cast<double>(outside) / static_cast<double>(signs.pixels);
+  signs.thick = static_cast<double>(thick_ones) / static_cast<double>(signs.pixels);
+  signs.parts = parts_touched(pair);
+  return signs;
+}
+
+std::optional<Finding> find_edges(const PicturePair& pair) {
+  const EdgeSigns signs = edge_signs(pair);
+  if (signs.pixels < least_pixels_to_judge || signs.outside > most_outside || signs.thick > most_thick ||
+      signs.parts < least_parts)
+    return std::nullopt;
+  return Finding{{Diagnosis::Kind::edges, "differs along edges only: antialiasing or sampling position"},
+                 signs.outside};
+}
+
+}  // namespace trace
