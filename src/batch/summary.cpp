@@ -14,7 +14,7 @@ constexpr Verdict verdicts[] = {Verdict::identical,  Verdict::within,       Verd
 Record counts(const std::vector<Record>& records) {
   std::set<std::string> scenes;
   std::size_t rendered = 0, failed = 0, uncompared = 0;
-  Record result = {{"scenes", 0}, {"rendered", 0}, {"failed", 0}, {"not_compared", 0}};
+  Record result = {{"scenes", 0}, {"rendered", 0}, {"failed", 0}};
   for (const Verdict verdict : verdicts) result[std::string(name(verdict))] = 0;
   for (const Record& record : records) {
     scenes.insert(record.at("scene").get<std::string>());

@@ -61,10 +61,10 @@ TEST_CASE("a folder without batch.json has no options") {
 TEST_CASE("what is wrong with batch.json is told at its place") {
   const auto [text, message] = GENERATE(table<std::string, std::string>(
       {{R"({"scenes": {"*": {"dept": 3}}})",
-        "batch.json:1:20: error: unknown option of a scene 'dept'\n"
+        "batch.json:1:19: error: unknown option of a scene 'dept'\n"
         "{\"scenes\": {\"*\": {\"dept\": 3}}}\n"
-        "                   ^~~~~~\n"
-        "batch.json:1:20: note: did you mean 'depth'?\n"},
+        "                  ^~~~~~\n"
+        "batch.json:1:19: note: did you mean 'depth'?\n"},
        {R"({"default": {"width": 0}})",
         "batch.json:1:23: error: 'width' takes a whole number from 1 to 65536\n"
         "{\"default\": {\"width\": 0}}\n"
