@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -13,7 +14,8 @@ namespace {
 std::string shown(double value, double limit) {
   if (value == std::floor(value) && std::abs(value) < 1e15) return fmt::format("{:.0f}", value);
   std::string text;
-  for (int decimals = 2; decimals < 17; ++decimals) {
+  const int two_digits = 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  for (int decimals = std::clamp(two_digits, 2, 17); decimals <= 17; ++decimals) {
     text = fmt::format("{:.{}f}", value, decimals);
     const double rounded = std::strtod(text.c_str(), nullptr);
     if ((value > limit) == (rounded > limit) && (value < limit) == (rounded < limit)) break;

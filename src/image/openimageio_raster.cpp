@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <new>
 #include <string>
 #include <utility>
@@ -38,6 +39,13 @@ float* allocate(void* context, int width, int height, int channels, int integer_
   return nullptr;
 }
 
+// OpenImageIO multiplies by a reciprocal, which is not always the number nearest to n / 255.
+void settle_integers(Raster& raster) {
+  if (raster.type == SampleType::real) return;
+  const float most = raster.type == SampleType::uint8 ? 255 : 65535;
+  for (float& sample : raster.samples) sample = std::round(sample * most) / most;
+}
+
 }  // namespace
 
 Raster read_raster_with_openimageio(const std::filesystem::path& file, std::string_view format,
@@ -50,6 +58,7 @@ Raster read_raster_with_openimageio(const std::filesystem::path& file, std::stri
     throw ImageError(!destination.refusal.empty()
                          ? destination.refusal
                          : fmt::format("the {} cannot be read: {}", format, reason.data()));
+  settle_integers(destination.raster);
   return std::move(destination.raster);
 }
 
