@@ -10,14 +10,16 @@ namespace trace {
 // Rows of floats with room behind each, so that loops may run over the end of a row in whole vectors.
 class Plane {
  public:
+  static constexpr std::size_t spare = 32;  // numbers
+
   Plane() = default;
   Plane(int width, int height) { resize(width, height); }
 
   void resize(int width, int height) {
     width_ = width;
     height_ = height;
-    stride_ = (static_cast<std::size_t>(width) + 15) / 16 * 16 + 16;
-    const std::size_t needed = stride_ * static_cast<std::size_t>(height) + 16;
+    stride_ = (static_cast<std::size_t>(width) + spare - 1) / spare * spare + spare;
+    const std::size_t needed = stride_ * static_cast<std::size_t>(height);
     if (values_.size() < needed) values_.resize(needed);
   }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/vector_clones.hpp"
+
 namespace trace {
 namespace {
 
@@ -41,6 +43,7 @@ class ThreeRows {
     std::fill(row.begin(), row.end(), nothing);
     if (y < 0 || y >= raster_.height) return;
     load_row(raster_, y, unit_, std::span(row).subspan(1), stride_);
+    if (unit_.whole) return;
     for (float& sample : row)
       if (!std::isfinite(sample)) sample = nothing;
   }
@@ -52,24 +55,30 @@ class ThreeRows {
   std::array<int, 3> held_{};
 };
 
+// difference = max(difference, |p - q|), NaN where either is.
+TRACE_VECTOR_CLONES void widen(const float* p, const float* q, float* __restrict difference,
+                               std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x) {
+    const float size = std::abs(p[x] - q[x]);
+    difference[x] = difference[x] >= size ? difference[x] : size;
+  }
+}
+
+// least = min(least, difference), where that is a number.
+TRACE_VECTOR_CLONES void narrow(const float* difference, float* __restrict least, std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x) least[x] = difference[x] < least[x] ? difference[x] : least[x];
+}
+
 // The least difference of each pixel of row y of `picture` from its neighbourhood in `other`.
 void least_differences(const ThreeRows& picture, const ThreeRows& other, int y, std::size_t channels,
                        std::vector<float>& least, std::vector<float>& difference) {
-  const std::size_t width = least.size();
   std::fill(least.begin(), least.end(), std::numeric_limits<float>::infinity());
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       std::fill(difference.begin(), difference.end(), 0.0F);
-      for (std::size_t channel = 0; channel < channels; ++channel) {
-        const float* p = picture.plane(y, channel);
-        const float* q = other.plane(y + dy, channel) + dx;
-        float* d = difference.data();
-        for (std::size_t x = 0; x < width; ++x) {
-          const float size = std::abs(p[x] - q[x]);
-          d[x] = d[x] >= size ? d[x] : size;  // NaN stays: it is not found the least
-        }
-      }
-      for (std::size_t x = 0; x < width; ++x) least[x] = difference[x] < least[x] ? difference[x] : least[x];
+      for (std::size_t channel = 0; channel < channels; ++channel)
+        widen(picture.plane(y, channel), other.plane(y + dy, channel) + dx, difference.data(), least.size());
+      narrow(difference.data(), least.data(), least.size());
     }
 }
 
@@ -80,7 +89,8 @@ EdgeTolerant edge_tolerant(const Raster& reference, const Raster& test, const Pi
   const auto channels = static_cast<std::size_t>(reference.channels);
   ThreeRows reference_rows(reference, differences.unit), test_rows(test, differences.unit);
   std::vector<float> of_test(width), of_reference(width), scratch(width);
-  double square = 0, largest = 0;
+  const double per_unit = differences.unit.levels(1), one = (1 + rounding_slack) / per_unit;
+  double square = 0, largest = 0;  // in units
   std::size_t pixels = 0, over_one = 0;
   for (int y = 0; y < reference.height; ++y) {
     const float* levels = &differences.levels[static_cast<std::size_t>(y) * width];
@@ -95,16 +105,17 @@ EdgeTolerant edge_tolerant(const Raster& reference, const Raster& test, const Pi
     for (std::size_t x = 0; x < width; ++x) {
       if (levels[x] == left_out) continue;
       ++pixels;
-      const float units = std::min(std::max(of_test[x], of_reference[x]), std::numeric_limits<float>::max());
-      const double value = differences.unit.levels(static_cast<double>(units));
-      square += value * value;
-      largest = std::max(largest, value);
-      over_one += value > 1 + rounding_slack;
+      const float farthest = std::max(of_test[x], of_reference[x]);
+      const double units = static_cast<double>(std::min(farthest, std::numeric_limits<float>::max()));
+      square += units * units;
+      largest = std::max(largest, units);
+      over_one += units > one;
     }
   }
   if (pixels == 0) return {};
   const auto n = static_cast<double>(pixels);
-  return {std::sqrt(square / n), largest, 100 * static_cast<double>(over_one) / n};
+  return {std::sqrt(square / n) * per_unit, differences.unit.levels(largest),
+          100 * static_cast<double>(over_one) / n};
 }
 
 }  // namespace trace

@@ -5,7 +5,7 @@
 
 #include "comparison/flip_color.hpp"
 #include "comparison/flip_seen.hpp"
-#include "comparison/parallel.hpp"
+#include "comparison/vector_clones.hpp"
 
 namespace trace {
 namespace {
@@ -43,18 +43,31 @@ float pixel_flip(float color, float edge, float point) {
   return fast_pow(color > least ? color : least, 1 - limited);
 }
 
+// A row of a tile seen in one picture.
+struct SeenRow {
+  const float *l, *a, *b, *edges, *points;
+
+  SeenRow(const FlipSeen& seen, int y)
+      : l(seen.l.row(y)),
+        a(seen.a.row(y)),
+        b(seen.b.row(y)),
+        edges(seen.edges.row(y)),
+        points(seen.points.row(y)) {}
+};
+
+TRACE_VECTOR_CLONES void flip_row(const SeenRow r, const SeenRow t, const ColorDifference color_difference,
+                                  float* __restrict flips, std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x) {
+    const float color = color_difference({r.l[x], r.a[x], r.b[x]}, {t.l[x], t.a[x], t.b[x]});
+    flips[x] = pixel_flip(color, std::abs(r.edges[x] - t.edges[x]), std::abs(r.points[x] - t.points[x]));
+  }
+}
+
 double tile_sum(const FlipSeen& reference, const FlipSeen& test, const ColorDifference& color_difference) {
   double sum = 0;
   std::vector<float> flips(static_cast<std::size_t>(reference.l.width()));
   for (int y = 0; y < reference.l.height(); ++y) {
-    const float *rl = reference.l.row(y), *ra = reference.a.row(y), *rb = reference.b.row(y);
-    const float *tl = test.l.row(y), *ta = test.a.row(y), *tb = test.b.row(y);
-    const float *re = reference.edges.row(y), *te = test.edges.row(y);
-    const float *rp = reference.points.row(y), *tp = test.points.row(y);
-    for (std::size_t x = 0; x < flips.size(); ++x) {
-      const float color = color_difference({rl[x], ra[x], rb[x]}, {tl[x], ta[x], tb[x]});
-      flips[x] = pixel_flip(color, std::abs(re[x] - te[x]), std::abs(rp[x] - tp[x]));
-    }
+    flip_row(SeenRow(reference, y), SeenRow(test, y), color_difference, flips.data(), flips.size());
     for (float value : flips) sum += static_cast<double>(value);
   }
   return sum;
@@ -62,24 +75,23 @@ double tile_sum(const FlipSeen& reference, const FlipSeen& test, const ColorDiff
 
 }  // namespace
 
-double flip(const Raster& reference, const Raster& test, const std::vector<float>& differences,
-            unsigned threads) {
-  const std::vector<Tile> tiles = tiles_that_differ(reference.width, reference.height, color_radius,
-                                                    color_radius, differences, reference.width);
-  const FlipFilters filters = flip_filters();
-  const LinearOfLevel linear;
-  const ColorDifference color_difference;
-  std::vector<double> sums(tiles.size());
-  in_parallel(tiles.size(), threads, [&](std::size_t i) {
-    FlipObserver observer(filters, linear);
-    FlipSeen seen_reference, seen_test;
-    observer.look(reference, tiles[i], seen_reference);
-    observer.look(test, tiles[i], seen_test);
-    sums[i] = tile_sum(seen_reference, seen_test, color_difference);
-  });
+Flip::Flip(const Raster& reference, const Raster& test, const std::vector<float>& differences)
+    : reference_(reference),
+      test_(test),
+      tiles_(tiles_that_differ(reference.width, reference.height, color_radius, color_radius, differences,
+                               reference.width)),
+      sums_(tiles_.size()) {}
+
+void Flip::measure_part(std::size_t part, Scratch& scratch) {
+  scratch.observer.look(tools_, reference_, tiles_[part], scratch.reference);
+  scratch.observer.look(tools_, test_, tiles_[part], scratch.test);
+  sums_[part] = tile_sum(scratch.reference, scratch.test, ColorDifference());
+}
+
+double Flip::mean() const {
   double sum = 0;  // elsewhere it is 0
-  for (double part : sums) sum += part;
-  return sum / (static_cast<double>(reference.width) * reference.height);
+  for (double part : sums_) sum += part;
+  return sum / (static_cast<double>(reference_.width) * reference_.height);
 }
 
 }  // namespace trace

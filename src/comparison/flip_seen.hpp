@@ -15,23 +15,23 @@ struct FlipSeen {
   Plane edges, points;  // how strong the features are
 };
 
+struct FlipTools {
+  FlipFilters filters = flip_filters();
+  LinearOfLevel linear;
+};
+
 // Of tiles, reusing its memory from one to the next. Beyond its border the picture goes on with the colour of
 // its nearest pixel.
 class FlipObserver {
  public:
-  FlipObserver(const FlipFilters& filters, const LinearOfLevel& linear)
-      : filters_(filters), linear_(linear) {}
-
-  void look(const Raster& raster, const Tile& tile, FlipSeen& seen);
+  void look(const FlipTools& tools, const Raster& raster, const Tile& tile, FlipSeen& seen);
 
  private:
-  void load(const Raster& raster, const Tile& surroundings);
+  void load(const LinearOfLevel& linear, const Raster& raster, const Tile& surroundings);
   void filter(const Plane& in, const FlipFilters::Taps& taps, Plane& out);
-  void see_colors(FlipSeen& seen);
-  void see_features(FlipSeen& seen);
+  void see_colors(const FlipFilters& filters, FlipSeen& seen);
+  void see_features(const FlipFilters& filters, FlipSeen& seen);
 
-  const FlipFilters& filters_;
-  const LinearOfLevel& linear_;
   Plane light_, red_green_, blue_yellow_;  // of the tile with color_radius around it
   Plane scratch_, cut_, second_, smooth_, edge_, point_;
 };

@@ -4,6 +4,7 @@
 
 #include "comparison/edge_tolerant.hpp"
 #include "comparison/flip.hpp"
+#include "comparison/parallel.hpp"
 #include "comparison/percentiles.hpp"
 #include "comparison/pixel_differences.hpp"
 #include "comparison/ssim.hpp"
@@ -53,7 +54,7 @@ Measurements measure(const Raster& reference, const Raster& test, const MeasureO
   result.height = reference.height;
   result.channels = reference.channels;
   result.threshold = options.threshold;
-  const PixelDifferences differences = pixel_differences(reference, test);
+  const PixelDifferences differences = pixel_differences(reference, test, options.threads);
   sum_errors(differences, result);
   count_pixels(differences, result);
   result.largest = differences.largest;
@@ -63,11 +64,29 @@ Measurements measure(const Raster& reference, const Raster& test, const MeasureO
     if (options.flip) result.flip = 0;
     return result;
   }
-  result.percentiles = percentiles(differences.levels);
-  result.edge_tolerant = edge_tolerant(reference, test, differences);
-  result.worst = worst_regions(reference, test, differences);
-  if (options.ssim) result.ssim = ssim(reference, test, differences.levels, options.threads);
-  if (options.flip) result.flip = flip(reference, test, differences.levels, options.threads);
+
+  std::optional<Ssim> ssim;
+  std::optional<Flip> flip;
+  if (options.ssim) ssim.emplace(reference, test, differences.levels);
+  if (options.flip) flip.emplace(reference, test, differences.levels);
+  const std::size_t flip_parts = flip ? flip->parts() : 0, ssim_parts = ssim ? ssim->parts() : 0;
+  struct Scratch {
+    Flip::Scratch flip;
+    Ssim::Scratch ssim;
+  };
+  in_parallel_with<Scratch>(flip_parts + ssim_parts + 3, options.threads,
+                            [&](std::size_t part, Scratch& scratch) {
+                              if (part == 0)
+                                result.edge_tolerant = edge_tolerant(reference, test, differences);
+                              if (part == 1) result.percentiles = percentiles(differences.levels);
+                              if (part == 2) result.worst = worst_regions(reference, test, differences);
+                              if (part >= 3 + flip_parts)
+                                ssim->measure_part(part - 3 - flip_parts, scratch.ssim);
+                              else if (part >= 3)
+                                flip->measure_part(part - 3, scratch.flip);
+                            });
+  if (ssim) result.ssim = ssim->mean();
+  if (flip) result.flip = flip->mean();
   return result;
 }
 

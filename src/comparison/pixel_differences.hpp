@@ -17,7 +17,7 @@ inline constexpr float left_out = -1;
 inline constexpr double rounding_slack = 1e-4;  // levels
 
 inline bool over(float difference, double levels) {
-  return static_cast<double>(difference) > levels + rounding_slack;
+  return difference > static_cast<float>(levels + rounding_slack);
 }
 
 struct PixelDifferences {
@@ -29,11 +29,13 @@ struct PixelDifferences {
   std::size_t foreground_samples = 0;
   NotFinite not_finite;
   LargestDifference largest;
+  double largest_units = 0;
   // Of each pixel, rows from the top: the largest magnitude over its channels, in levels, or `left_out`.
   std::vector<float> levels;
   std::vector<char> row_differs;  // where anything in the row does
 };
 
-PixelDifferences pixel_differences(const Raster& reference, const Raster& test);
+// The same for any number of threads.
+PixelDifferences pixel_differences(const Raster& reference, const Raster& test, unsigned threads = 1);
 
 }  // namespace trace

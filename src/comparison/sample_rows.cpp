@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "comparison/vector_clones.hpp"
+
 namespace trace {
 namespace {
 
@@ -9,6 +11,15 @@ namespace {
 float nearest_whole(float value) {
   constexpr float no_fraction = 0x1.8p23F;
   return (value + no_fraction) - no_fraction;
+}
+
+TRACE_VECTOR_CLONES void load_whole_rgb(const float* __restrict row, std::size_t width, float per_full_scale,
+                                        float* __restrict r, float* __restrict g, float* __restrict b) {
+  for (std::size_t x = 0; x < width; ++x) {
+    r[x] = nearest_whole(row[3 * x] * per_full_scale);
+    g[x] = nearest_whole(row[3 * x + 1] * per_full_scale);
+    b[x] = nearest_whole(row[3 * x + 2] * per_full_scale);
+  }
 }
 
 }  // namespace
@@ -23,13 +34,15 @@ void load_row(const Raster& raster, int y, SampleUnit unit, std::span<float> pla
   const float* row = raster.pixel(0, y);
   const auto channels = static_cast<std::size_t>(raster.channels);
   const auto width = static_cast<std::size_t>(raster.width);
+  if (unit.whole && channels == 3) {  // the usual
+    load_whole_rgb(row, width, unit.per_full_scale, planes.data(), &planes[stride], &planes[2 * stride]);
+    return;
+  }
   for (std::size_t channel = 0; channel < channels; ++channel) {
     float* plane = &planes[channel * stride];
-    if (unit.whole) {
-      for (std::size_t x = 0; x < width; ++x)
-        plane[x] = nearest_whole(row[x * channels + channel] * unit.per_full_scale);
-    } else {
-      for (std::size_t x = 0; x < width; ++x) plane[x] = row[x * channels + channel];
+    for (std::size_t x = 0; x < width; ++x) {
+      const float sample = row[x * channels + channel];
+      plane[x] = unit.whole ? nearest_whole(sample * unit.per_full_scale) : sample;
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace trace {
 
@@ -17,7 +18,9 @@ class LinearOfLevel {
   LinearOfLevel() {
     for (std::size_t n = 0; n < table_.size(); ++n) table_[n] = linear_of_srgb(static_cast<float>(n) / 255);
   }
-  float operator()(float stored) const { return table_[static_cast<std::size_t>(stored * 255 + 0.5F)]; }
+  float operator()(float stored) const {
+    return table_[static_cast<std::uint8_t>(static_cast<int>(stored * 255 + 0.5F))];
+  }
 
  private:
   std::array<float, 256> table_{};
