@@ -1,4 +1,5 @@
-// The order of the hypotheses: those that predict every pixel first, those that only constrain the residual last.
+// The order of the hypotheses: those that predict every pixel first, those that only constrain the residual
+// last.
 #include "comparison/diagnosis.hpp"
 
 #include "comparison/diagnosis_edges.hpp"
@@ -26,7 +27,9 @@ std::optional<Diagnosis> exact(const PicturePair& pair, bool& several) {
     if (found) runner_up = std::min(runner_up, found->unexplained);
   }
   several = best && runner_up <= clearly_better * best->unexplained + equal;
-  if (!best || several) return std::nullopt;
+  if (several) return std::nullopt;
+  if (!best) best = find_mirrored_axis(pair);
+  if (!best) return std::nullopt;
   return best->diagnosis;
 }
 
@@ -58,8 +61,6 @@ std::string_view name(Diagnosis::Kind kind) {
       return "blank";
     case Diagnosis::Kind::wrapped:
       return "wrapped";
-    case Diagnosis::Kind::ambient:
-      return "ambient";
     case Diagnosis::Kind::specular_missing:
       return "specular-missing";
   }

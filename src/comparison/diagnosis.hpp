@@ -21,10 +21,9 @@ struct Diagnosis {
     reflection_missing,
     object_missing,  // one connected region, where the test shows what is behind
     object_displaced,
-    edges,  // differences along edges only
-    blank,  // one colour everywhere
+    edges,    // differences along edges only
+    blank,    // one colour everywhere
     wrapped,  // bytes that wrap around where the reference is at its limit
-    ambient,  // a constant more, or less, on each surface
     specular_missing
   };
   Kind kind;

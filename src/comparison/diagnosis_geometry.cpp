@@ -11,7 +11,7 @@ constexpr double most_left_over = 0.02;  // see the header
 constexpr int largest_shift = 4;
 constexpr std::size_t sample = 2048;  // pixels that a mapping is tried on before it is looked at in full
 
-// test(x, y) = reference(x * flip_x..., ...) moved by (dx, dy).
+// test(x, y) is the reference at the mapped place: mirrored, then moved by (dx, dy).
 struct Mapping {
   bool mirror_x = false, mirror_y = false;
   int dx = 0, dy = 0;  // where the content went, right and down
@@ -110,6 +110,24 @@ std::string shift_text(const Mapping& mapping) {
   return text;
 }
 
+// Flips with a shift whose longer part is `reach`.
+std::optional<Finding> find_mirrored(const PicturePair& pair, int reach) {
+  std::vector<Mapping> mappings;
+  for (const auto& [mirror_x, mirror_y] : {std::pair{true, false}, {false, true}, {true, true}})
+    for (int dy = -reach; dy <= reach; ++dy)
+      for (int dx = -reach; dx <= reach; ++dx)
+        if (std::max(std::abs(dx), std::abs(dy)) == reach)
+          mappings.push_back({mirror_x, mirror_y, dx, dy, {0, 1, 2}});
+  const auto fit = best(pair, mappings);
+  if (!fit) return std::nullopt;
+  const Mapping& mapping = fit->mapping;
+  std::string text = mapping.mirror_x && mapping.mirror_y ? "rotated by 180 degrees"
+                     : mapping.mirror_x                   ? "flipped left-right"
+                                                          : "flipped upside down";
+  if (reach != 0) text += ", and " + shift_text(mapping);
+  return Finding{{Diagnosis::Kind::flipped, text}, fit->unexplained};
+}
+
 }  // namespace
 
 std::optional<Finding> find_channel_order(const PicturePair& pair) {
@@ -135,22 +153,11 @@ std::optional<Finding> find_channel_order(const PicturePair& pair) {
 }
 
 std::optional<Finding> find_flip(const PicturePair& pair) {
-  std::vector<Mapping> mappings;
-  // Those without a shift first: of equals, the simplest counts.
-  for (const int reach : {0, 1})
-    for (const auto& [mirror_x, mirror_y] : {std::pair{true, false}, {false, true}, {true, true}})
-      for (int dy = -reach; dy <= reach; ++dy)
-        for (int dx = -reach; dx <= reach; ++dx)
-          if (std::max(std::abs(dx), std::abs(dy)) == reach)
-            mappings.push_back({mirror_x, mirror_y, dx, dy, {0, 1, 2}});
-  const auto fit = best(pair, mappings);
-  if (!fit) return std::nullopt;
-  const Mapping& mapping = fit->mapping;
-  std::string text = mapping.mirror_x && mapping.mirror_y ? "rotated by 180 degrees"
-                     : mapping.mirror_x                    ? "flipped left-right"
-                                                           : "flipped upside down";
-  if (mapping.dx != 0 || mapping.dy != 0) text += ", and " + shift_text(mapping);
-  return Finding{{Diagnosis::Kind::flipped, text}, fit->unexplained};
+  return find_mirrored(pair, 0);
+}
+
+std::optional<Finding> find_mirrored_axis(const PicturePair& pair) {
+  return find_mirrored(pair, 1);
 }
 
 std::optional<Finding> find_shift(const PicturePair& pair) {

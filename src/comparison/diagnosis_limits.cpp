@@ -9,7 +9,8 @@ namespace {
 
 // Of the samples that differ, what may be elsewhere than at the limit: mirrors mix what was limited before.
 constexpr double most_elsewhere = 0.01;
-// Samples at the limit beside one that is nearly there, by the trend just above the limit: after wrapping, dark.
+// Samples at the limit beside one that is nearly there, by the trend just above the limit: after wrapping,
+// dark.
 constexpr int nearly = 240, dark = 48;
 constexpr std::size_t least_beside = 16;
 constexpr double least_dark = 0.8;
@@ -49,8 +50,8 @@ std::optional<Finding> find_wrapped(const PicturePair& pair) {
   const double left = static_cast<double>(elsewhere) / static_cast<double>(differing);
   if (left > most_elsewhere || beside < least_beside) return std::nullopt;
   if (static_cast<double>(beside_dark) < least_dark * static_cast<double>(beside)) return std::nullopt;
-  return Finding{{Diagnosis::Kind::wrapped, "colours over the limit wrap around instead of being limited to 255"},
-                 left};
+  return Finding{
+      {Diagnosis::Kind::wrapped, "colours over the limit wrap around instead of being limited to 255"}, left};
 }
 
 }  // namespace trace

@@ -29,8 +29,8 @@ class Labels {
   std::vector<std::uint32_t> parent_;
 };
 
-// The kind of an edge that is so high in the reference and in the test picture: of one kind when it is at least
-// three times as high there as in the other.
+// The kind of an edge that is so high in the reference and in the test picture: of one kind when it is at
+// least three times as high there as in the other.
 void count(EdgeCounts& counts, int in_reference, int in_test) {
   if (std::max(in_reference, in_test) <= edge_height) {
     ++counts.soft;

@@ -1,7 +1,8 @@
 // Where a pair of pictures differs: connected regions, and what happened at their outlines and inside.
 //
-// What a region is can be read from its outline. Across it the pictures agree on the outer side, so that each pair of
-// an inner and an outer pixel tells whether an edge that the reference has there is in the test picture too:
+// What a region is can be read from its outline. Across it the pictures agree on the outer side, so that each
+// pair of an inner and an outer pixel tells whether an edge that the reference has there is in the test
+// picture too:
 //   vanished  only in the reference (the outline of a missing object or of a missing shadow)
 //   appeared  only in the test picture (of an object where none should be)
 //   kept      in both (of an object that is there but looks different)
@@ -32,9 +33,9 @@ struct EdgeCounts {
 
 struct DifferingRegion {
   Region box;
-  double energy = 0;      // squared difference, summed
-  EdgeCounts outline;     // pairs across it
-  EdgeCounts inside;      // pairs of neighbours within it; `soft` are not counted
+  double energy = 0;   // squared difference, summed
+  EdgeCounts outline;  // pairs across it
+  EdgeCounts inside;   // pairs of neighbours within it; `soft` are not counted
 };
 
 // Connected over gaps of up to `gap` pixels, by falling energy. Regions of fewer than 9 pixels are left out.

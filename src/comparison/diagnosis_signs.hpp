@@ -8,8 +8,8 @@ namespace trace {
 struct DifferenceSigns {
   // Shares of the differing pixels with a channel that is brighter, or darker, by more than a level.
   double brighter = 0, darker = 0;
-  // Of the pixels that are lit well enough in both pictures to have a colour: the share whose two colours have the
-  // same direction, and the number of these pixels.
+  // Of the pixels that are lit well enough in both pictures to have a colour: the share whose two colours
+  // have the same direction, and the number of these pixels.
   double same_color = 0;
   std::size_t colored = 0;
   // Share of the differing pixels whose difference has the direction of the darker of their two colours.
@@ -18,10 +18,8 @@ struct DifferenceSigns {
   double black_in_reference = 0, black_in_test = 0;
   // Of the pixels that are lit in either picture, the share that does not differ.
   double lit_and_equal = 0;
-  // Shares of the differing pixels, without those at the limits, that the most frequent sums of levels hold: of the
-  // differences, and of the reference.
-  double concentration = 0, concentration_of_reference = 0;
-  std::size_t within_limits = 0;
+  // Share of the differing pixels whose difference has the direction of the mean difference.
+  double difference_of_one_color = 0;
 };
 
 DifferenceSigns difference_signs(const PicturePair& pair);

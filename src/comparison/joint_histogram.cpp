@@ -1,6 +1,11 @@
 #include "comparison/joint_histogram.hpp"
 
 namespace trace {
+namespace {
+
+constexpr double least_move = 2;  // levels, see the header
+
+}  // namespace
 
 JointHistogram::JointHistogram(const PicturePair& pair) : cumulative_(256 * 257) {
   std::vector<std::uint32_t> counts(256 * 256);
@@ -11,11 +16,15 @@ JointHistogram::JointHistogram(const PicturePair& pair) : cumulative_(256 * 257)
       cumulative_[v * 257 + t + 1] = cumulative_[v * 257 + t] + counts[v * 256 + t];
 }
 
-int JointHistogram::levels_that_moved() const {
-  int levels = 0;
-  for (int v = 0; v < 256; ++v) {
-    const std::size_t stayed = between(v, std::max(1, v - 1), std::min(254, v + 1));
-    levels += (between(v, 1, 254) - stayed) * 2 > below(v, 256);
+std::vector<MovedLevel> JointHistogram::moved_levels() const {
+  std::vector<MovedLevel> levels;
+  for (int v = 0; v < 255; ++v) {
+    const std::size_t all = below(v, 256);
+    if (all == 0 || between(v, 1, 254) * 2 <= all) continue;
+    double sum = 0;
+    for (int t = 1; t < 256; ++t) sum += t * static_cast<double>(between(v, t, t));
+    const double mean = sum / static_cast<double>(all);
+    if (std::abs(mean - v) > least_move) levels.push_back({v, mean, all});
   }
   return levels;
 }

@@ -9,16 +9,23 @@
 
 namespace trace {
 
+struct MovedLevel {
+  int reference = 0;
+  double mean = 0;  // of the test picture there
+  std::size_t samples = 0;
+};
+
 class JointHistogram {
  public:
   explicit JointHistogram(const PicturePair& pair);
 
-  // Levels of the reference of which most samples moved by more than one level, and not to black or white.
-  int levels_that_moved() const;
+  // The levels of the reference below 255 that moved by more than two levels in the mean, and of which most
+  // samples did not end as black or white. Rounding, and noise that is cut to bytes, move by up to one.
+  std::vector<MovedLevel> moved_levels() const;
 
-  // The share of samples that are not what the curve makes of the reference, of those that should or did move: all
-  // but the ones that are as they were and that the curve leaves there. `curve` maps true values, 1 being full
-  // scale, and does not fall; values above one become 255.
+  // The share of samples that are not what the curve makes of the reference, of those that should or did
+  // move: all but the ones that are as they were and that the curve leaves there. `curve` maps true values, 1
+  // being full scale, and does not fall; values above one become 255.
   template <class Curve>
   double disobedient(const Curve& curve) const;
 
