@@ -2,7 +2,8 @@
 
 #include <stdexcept>
 
-#include "tests/report/sample_comparison.hpp"
+#include "comparison/judge.hpp"
+#include "report/comparison_json.hpp"
 #include "tests/support/picture_table.hpp"
 
 namespace trace::test {
@@ -48,35 +49,37 @@ Json result(const std::string& scene, const std::string& outcome, double seconds
           {"heat", nullptr},    {"comparison", nullptr}};
 }
 
+// Of the result's picture with its solution, with a heat map where they differ.
+void compare(Json& result) {
+  const std::string picture = result["picture"], heat = picture + ".heat.png";
+  fs::remove(heat);
+  result["comparison"] =
+      comparison_json(judge(result["solution"].get<std::string>(), picture, {.heat_map = heat}));
+  result["heat"] = fs::exists(heat) ? Json(heat) : Json();
+}
+
 Json rendered(const fs::path& folder, const Sample& sample, double seconds) {
   const fs::path stem = fs::path(sample.scene).replace_extension(".png");
   const fs::path picture = folder / "out" / stem, solution = folder / "solutions" / stem;
   render(scenes / sample.scene, sample.arguments, sample.defect, picture);
   render(scenes / sample.scene, "-r 5 -w 160", "{}", solution);
   Json made = result(sample.scene, "rendered", seconds);
-  const Image ours = read_image(picture), theirs = read_image(solution);
   made["picture"] = picture.string();
   made["solution"] = solution.string();
-  made["comparison"] = sample_comparison(theirs, ours);
+  compare(made);
   if (!sample.diagnosis.empty())
     made["comparison"]["diagnosis"] = {{"kind", sample.diagnosis}, {"text", sample.diagnosis}};
-  const std::string verdict = made["comparison"]["verdict"];
-  if (verdict == "beyond" || verdict == "within") {
-    const std::string heat = picture.string() + ".heat.png";
-    write_image(heat, sample_heat(theirs, ours));
-    made["heat"] = heat;
-  }
   return made;
 }
 
 // A picture that is right but for one level in its first pixel.
 Json within_tolerance(const fs::path& folder) {
   Json made = rendered(folder, {"features/box.ray", "{}"}, 0.02);
-  Image ours = read_image(made["picture"].get<std::string>());
-  const Image theirs = ours;
+  const std::string file = made["picture"];
+  Image ours = read_image(file);
   ours.rgb[0] = std::uint8_t(ours.rgb[0] ^ 1);
-  write_image(made["picture"].get<std::string>(), ours);
-  made["comparison"] = sample_comparison(theirs, ours);
+  write_image(file, ours);
+  compare(made);
   return made;
 }
 
@@ -133,12 +136,10 @@ Json with_second_renderer(Json report) {
       other["outcome"] = "timeout";
       other["picture"] = other["comparison"] = nullptr;
     } else if (other["solution"].is_string()) {
-      const Image image = read_image(other["solution"].get<std::string>());
       other["outcome"] = "rendered";
       other["message"] = "";
-      other["heat"] = nullptr;
       other["picture"] = other["solution"];
-      other["comparison"] = sample_comparison(image, image);
+      compare(other);
     }
     others.push_back(std::move(other));
   }

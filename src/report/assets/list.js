@@ -1,4 +1,5 @@
-// The table of results: a row each, sorted by a click on a column's head.
+// The table of results: a row each, sorted by a click on a column's head. The roles are written out because narrow
+// windows show the rows as cards, which would end their being a table for those who listen.
 
 const columns = [
   { title: "Pictures" },
@@ -24,11 +25,11 @@ function thumbnails(result) {
 
 function resultRow(result) {
   const { measured } = result;
-  const cell = (title, attributes, ...content) => element("td", { "data-title": title, ...attributes }, ...content);
+  const cell = (title, attributes, ...content) => element("td", { role: "cell", "data-title": title, ...attributes }, ...content);
   const number = (title, text) => cell(title, { class: text === absent ? "number none" : "number" }, text);
-  const row = element("tr", { class: result.failed ? "failed" : "passed", "data-scene": result.scene },
+  const row = element("tr", { role: "row", class: result.failed ? "failed" : "passed", "data-scene": result.scene },
     cell("Pictures", { class: "thumbs" }, ...thumbnails(result)),
-    element("th", { scope: "row" }, element("a", { href: addressOf(result) }, pathText(result.scene))),
+    element("th", { scope: "row", role: "rowheader" }, element("a", { href: addressOf(result) }, pathText(result.scene))),
     severalRenderers ? cell("Renderer", { class: "renderer" }, result.renderer) : null,
     cell("Verdict", {}, badge(result)),
     number("RMSE", figure(result.error)),
@@ -50,17 +51,17 @@ function rowOf(result) {
 }
 
 function columnHead(column) {
-  if (!column.sort) return element("th", { scope: "col" }, column.title);
+  if (!column.sort) return element("th", { scope: "col", role: "columnheader" }, column.title);
   const active = wanted.sort === column.sort;
   const order = wanted.descending ? "descending" : "ascending";
   return element("th",
-    { scope: "col", class: column.number ? "number" : null, "aria-sort": active ? order : null, title: column.note },
+    { scope: "col", role: "columnheader", class: column.number ? "number" : null, "aria-sort": active ? order : null, title: column.note },
     button(column.title, () => sortBy(column.sort), { "data-sort": column.sort }));
 }
 
 function listView(shown) {
-  return element("table", { class: "list" },
+  return element("table", { class: "list", role: "table" },
     element("caption", { class: "hidden" }, "Results. The buttons in the column heads sort."),
-    element("thead", {}, element("tr", {}, ...columns.map(columnHead))),
-    element("tbody", {}, ...shown.map(rowOf)));
+    element("thead", { role: "rowgroup" }, element("tr", { role: "row" }, ...columns.map(columnHead))),
+    element("tbody", { role: "rowgroup" }, ...shown.map(rowOf)));
 }

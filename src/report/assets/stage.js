@@ -83,7 +83,7 @@ function sideView(result) {
   const shownBeside = ([role, name]) => {
     const image = stagePicture(result, role);
     const caption = element("figcaption", {}, name);
-    image.addEventListener("load", () => caption.append(`, ${image.naturalWidth} \u00d7 ${image.naturalHeight}`));
+    if (role !== "heat") image.addEventListener("load", () => caption.append(`, ${image.naturalWidth} \u00d7 ${image.naturalHeight}`));
     return element("figure", {},
       element("div", { class: "frame" }, image, ...(role === "heat" ? [] : regionMarks(result))), caption);
   };
