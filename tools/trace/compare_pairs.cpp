@@ -40,20 +40,22 @@ void remove_old(const fs::path& heat_map) {
 }
 
 Judgement judged(const PicturePair& pair, const DiffArguments& arguments, bool folders,
-                 const Tolerance& tolerance, std::string& failure) {
+                 const Tolerance& tolerance, unsigned threads, std::string& failure) {
   const fs::path heat_map = heat_map_of(pair, arguments, folders);
   remove_old(heat_map);
   if (!pair.reference || !pair.test) return alone(pair, arguments, tolerance);
+  JudgeOptions options{tolerance, arguments.perceptual, heat_map, arguments.amplify, threads};
   try {
     if (folders && !heat_map.empty()) fs::create_directories(heat_map.parent_path());
-    return judge(*pair.reference, *pair.test, {tolerance, arguments.perceptual, heat_map, arguments.amplify});
+    return judge(*pair.reference, *pair.test, options);
   } catch (const ImageError& e) {
     failure = fmt::format("cannot write '{}': {}", heat_map.string(), e.what());
   } catch (const fs::filesystem_error& e) {
     failure = fmt::format("cannot write '{}': {}", heat_map.string(), e.code().message());
   }
   // The heat map is lost, the verdict is not.
-  return judge(*pair.reference, *pair.test, {tolerance, arguments.perceptual, {}, 1});
+  options.heat_map.clear();
+  return judge(*pair.reference, *pair.test, options);
 }
 
 void check_heat_map(const DiffArguments& arguments, bool folders) {
@@ -78,15 +80,16 @@ std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, c
   check_heat_map(arguments, folders);
   std::vector<ComparedPair> results(pairs.size());
   std::vector<std::string> failure(pairs.size());
+  // One pair is divided between threads, several are given one each.
+  const unsigned threads = pairs.size() == 1 ? JudgeOptions{}.threads : 1;
   const auto compare = [&](std::size_t i) {
     const PicturePair& pair = pairs[i];
     ComparedPair& result = results[i];
     result = {pair.name, text(pair.reference), text(pair.test),
-              judged(pair, arguments, folders, tolerances.of(pair.scene), failure[i])};
+              judged(pair, arguments, folders, tolerances.of(pair.scene), threads, failure[i])};
     if (result.judgement.verdict == Verdict::missing) result.test.reset();
     if (result.judgement.verdict == Verdict::extra) result.reference.reset();
   };
-  // A single pair does not wait for threads to start.
   if (pairs.size() == 1)
     compare(0);
   else

@@ -56,9 +56,18 @@ std::string_view words(Verdict verdict) {
   return "";
 }
 
+// The reason without the verdict, with which some reasons begin: it is told already.
+std::string reason(const Judgement& judgement) {
+  std::string_view text = judgement.reason;
+  const std::string_view told = words(judgement.verdict);
+  if (text.starts_with(told) && text.substr(told.size()).starts_with(": "))
+    text.remove_prefix(told.size() + 2);
+  return shown(text);
+}
+
 // What stands behind the name in a line of a folder.
 std::string remark(const Judgement& judgement) {
-  std::string text = shown(judgement.reason);
+  std::string text = reason(judgement);
   if (judgement.verdict == Verdict::within && judgement.measurements) {
     const Measurements& m = *judgement.measurements;
     text = fmt::format("RMSE {}, {} % of pixels differ", figure(m.error.root_mean_square),
@@ -92,7 +101,7 @@ bool colour_wanted() {
 
 std::string verdict_text(const Judgement& judgement) {
   std::string text(words(judgement.verdict));
-  if (!judgement.reason.empty()) text += ": " + shown(judgement.reason);
+  if (!judgement.reason.empty()) text += ": " + reason(judgement);
   return text;
 }
 

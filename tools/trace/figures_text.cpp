@@ -54,18 +54,22 @@ std::string perceived(const Measurements& m) {
   return text;
 }
 
-std::string not_finite(const NotFinite& n) {
-  if (n.reference + n.test == 0) return "";
-  return line("not finite", fmt::format("{} samples of the reference, {} of the other; the first at ({}, {})",
-                                        n.reference, n.test, n.first.x, n.first.y));
+std::string pixels(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "pixel" : "pixels");
+}
+
+// Corners inclusive.
+std::string corners(const Region& r) {
+  const std::string first = fmt::format("({}, {})", r.x0, r.y0);
+  if (r.x1 - r.x0 == 1 && r.y1 - r.y0 == 1) return first;
+  return fmt::format("{} to ({}, {})", first, r.x1 - 1, r.y1 - 1);
 }
 
 std::string worst(const std::vector<Region>& regions) {
   std::string text;
   for (const Region& r : regions) {
     text += line(text.empty() ? "worst regions" : "",
-                 fmt::format("({}, {}) to ({}, {}): {} {}, RMSE {}", r.x0, r.y0, r.x1 - 1, r.y1 - 1, r.pixels,
-                             r.pixels == 1 ? "pixel" : "pixels", figure(r.root_mean_square)));
+                 fmt::format("{}: {}, RMSE {}", corners(r), pixels(r.pixels), figure(r.root_mean_square)));
   }
   return text;
 }
@@ -86,7 +90,7 @@ std::string channel_name(int channel, int channels) {
 }
 
 std::string figures_text(const Measurements& m) {
-  std::string text = size_line(m) + not_finite(m.not_finite);
+  std::string text = size_line(m);
   if (m.error.largest == 0) return text;
   text += table(m);
   const LargestDifference& l = m.largest;
@@ -103,7 +107,7 @@ std::string figures_text(const Measurements& m) {
   text += line("percentiles", fmt::format("50: {}  90: {}  99: {}  99.9: {}", figure(p.p50), figure(p.p90),
                                           figure(p.p99), figure(p.p999)));
   const Foreground& f = m.foreground;
-  text += line("foreground", fmt::format("{} pixels, RMSE {}, {} % by more than 1 level", f.pixels,
+  text += line("foreground", fmt::format("{}, RMSE {}, {} % by more than 1 level", pixels(f.pixels),
                                          figure(f.error.root_mean_square), figure(f.percent_over_one)));
   const EdgeTolerant& e = m.edge_tolerant;
   text += line("edge-tolerant",
