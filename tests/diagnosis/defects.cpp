@@ -6,7 +6,7 @@
 #include "rendering/frame_renderer.hpp"
 #include "rendering/pixel.hpp"
 #include "tests/support/scene_random.hpp"
-#include "tools/trace/scene_loader.hpp"
+#include "loading/scene_loader.hpp"
 
 namespace trace::test {
 namespace {
@@ -22,7 +22,8 @@ Vec3 extent(const Bounds& bounds) {
 }  // namespace
 
 Scene scene_of(const std::string& file) {
-  LoadedScene loaded = load_scene(file, 256);
+  FileImages images;
+  LoadedScene loaded = load_scene(file, 256, images);
   if (!loaded.scene) throw std::runtime_error(loaded.messages);
   return std::move(*loaded.scene);
 }
