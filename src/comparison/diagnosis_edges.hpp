@@ -8,7 +8,7 @@
 namespace trace {
 
 struct EdgeSigns {
-  std::size_t pixels = 0;  // that differ by more than a few levels; the shares are of these
+  std::size_t pixels = 0;  // that differ by more than a few levels; the shares are of an even choice of these
   // Whose colour in the test picture is not among those around it in the reference, or, where that is less,
   // the other way round: of a smooth and a jagged picture, only the smooth one's colours are all in the
   // other.

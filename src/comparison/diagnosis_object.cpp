@@ -7,8 +7,6 @@ namespace {
 
 // One thing: its shadow and its mirror image may differ apart from it, but not by more.
 constexpr double least_worst = 0.4;
-// The rest of the scene is as it was.
-constexpr double least_equal = 0.3;
 // Of the outline, what must be hard for the rest to say anything.
 constexpr double least_hard = 0.6;
 // Of the hard outline, what may have stayed: where others stand before or behind it.
@@ -43,8 +41,8 @@ std::optional<Diagnosis> find_object(const std::vector<DifferingRegion>& regions
   double energy = 0;
   for (const DifferingRegion& region : regions) energy += region.energy;
   const double hard = 1 - outline.share(outline.soft);
-  if (hard < least_hard || regions[0].energy < least_worst * energy || signs.lit_and_equal < least_equal ||
-      edges.thick < least_thick || outline.share(outline.kept) > most_kept * hard)
+  if (hard < least_hard || regions[0].energy < least_worst * energy || edges.thick < least_thick ||
+      outline.share(outline.kept) > most_kept * hard)
     return std::nullopt;
   const double vanished = outline.share(outline.vanished) / hard,
                appeared = outline.share(outline.appeared) / hard;

@@ -43,29 +43,59 @@ void count(EdgeCounts& counts, int in_reference, int in_test) {
   }
 }
 
-}  // namespace
-
-std::vector<DifferingRegion> differing_regions(const PicturePair& pair, int gap) {
-  const int width = pair.width, height = pair.height;
-  Labels labels(pair.differs.size());
-  for (const std::uint32_t i : pair.differing) {
-    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-    // The half of the neighbourhood that was passed.
-    for (int v = std::max(0, y - 1 - gap); v <= y; ++v)
-      for (int u = std::max(0, x - 1 - gap); u <= (v == y ? x - 1 : std::min(width - 1, x + 1 + gap)); ++u)
-        if (pair.differs[pair.index(u, v)]) labels.join(i, static_cast<std::uint32_t>(pair.index(u, v)));
+// The regions of a pair, by the cells of a coarse grid.
+class Cells {
+ public:
+  explicit Cells(const PicturePair& pair)
+      : width_(pair.width),
+        columns_((pair.width + edge - 1) / edge),
+        rows_((pair.height + edge - 1) / edge),
+        labels_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+    std::vector<std::uint8_t> taken(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (const std::uint32_t i : pair.differing) taken[of(i)] = 1;
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) {
+        const std::uint32_t here = at(x, y);
+        if (!taken[here]) continue;
+        // The half of the neighbourhood that was passed.
+        for (const auto& [u, v] : {std::pair{x - 1, y}, {x - 1, y - 1}, {x, y - 1}, {x + 1, y - 1}})
+          if (u >= 0 && v >= 0 && u < columns_ && taken[at(u, v)]) labels_.join(here, at(u, v));
+      }
   }
 
-  std::vector<std::uint32_t> number(pair.differs.size());
+  std::size_t size() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
+  // The same number for all pixels of a region.
+  std::uint32_t label(std::uint32_t pixel) { return labels_.root(of(pixel)); }
+
+ private:
+  static constexpr int edge = 4;
+
+  std::uint32_t at(int x, int y) const { return static_cast<std::uint32_t>(y * columns_ + x); }
+  std::uint32_t of(std::uint32_t pixel) const {
+    const int i = static_cast<int>(pixel);
+    return at(i % width_ / edge, i / width_ / edge);
+  }
+
+  int width_, columns_, rows_;
+  Labels labels_;
+};
+
+}  // namespace
+
+std::vector<DifferingRegion> differing_regions(const PicturePair& pair) {
+  const int width = pair.width, height = pair.height;
+  Cells cells(pair);
+  constexpr std::uint32_t none = 0xffffffff;
+  std::vector<std::uint32_t> number(cells.size(), none);
   std::vector<DifferingRegion> regions;
   for (const std::uint32_t i : pair.differing) {
-    const std::uint32_t root = labels.root(i);
+    const std::uint32_t label = cells.label(i);
     const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-    if (root == i) {
-      number[i] = static_cast<std::uint32_t>(regions.size());
+    if (number[label] == none) {
+      number[label] = static_cast<std::uint32_t>(regions.size());
       regions.push_back({{x, y, x + 1, y + 1, 0, 0}, 0, {}, {}});
     }
-    DifferingRegion& region = regions[number[root]];
+    DifferingRegion& region = regions[number[label]];
     Region& box = region.box;
     box.x0 = std::min(box.x0, x);
     box.x1 = std::max(box.x1, x + 1);

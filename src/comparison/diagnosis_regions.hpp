@@ -38,7 +38,9 @@ struct DifferingRegion {
   EdgeCounts inside;   // pairs of neighbours within it; `soft` are not counted
 };
 
-// Connected over gaps of up to `gap` pixels, by falling energy. Regions of fewer than 9 pixels are left out.
-std::vector<DifferingRegion> differing_regions(const PicturePair& pair, int gap = 1);
+// By falling energy. Connected are pixels in the same or neighbouring cells of 4 x 4 pixels, so that an
+// object, its shadow and what a few equal pixels cut off it are one. Regions of fewer than 9 pixels are left
+// out.
+std::vector<DifferingRegion> differing_regions(const PicturePair& pair);
 
 }  // namespace trace

@@ -1,7 +1,6 @@
 #include "comparison/diagnosis_signs.hpp"
 
 #include <array>
-#include <cmath>
 
 namespace trace {
 namespace {
@@ -27,7 +26,7 @@ bool same_direction(const Color& a, const Color& b) {
     aa += ac * ac;
     bb += bc * bc;
   }
-  return ab >= least_cosine * std::sqrt(aa * bb);
+  return ab * ab >= least_cosine * least_cosine * aa * bb;  // neither has a negative part
 }
 
 std::size_t of_direction(const PicturePair& pair, const Color& direction) {
@@ -42,6 +41,8 @@ std::size_t of_direction(const PicturePair& pair, const Color& direction) {
   return count;
 }
 
+}  // namespace
+
 double lit_and_equal(const PicturePair& pair) {
   std::size_t lit = 0, equal = 0;
   for (std::size_t i = 0; i < pair.differs.size(); ++i) {
@@ -52,8 +53,6 @@ double lit_and_equal(const PicturePair& pair) {
   }
   return lit == 0 ? 0 : static_cast<double>(equal) / static_cast<double>(lit);
 }
-
-}  // namespace
 
 DifferenceSigns difference_signs(const PicturePair& pair) {
   std::size_t brighter = 0, darker = 0, same = 0, same_difference = 0, black_in_reference = 0,
@@ -89,7 +88,6 @@ DifferenceSigns difference_signs(const PicturePair& pair) {
   signs.darker = static_cast<double>(darker) / count;
   signs.black_in_reference = static_cast<double>(black_in_reference) / count;
   signs.black_in_test = static_cast<double>(black_in_test) / count;
-  signs.lit_and_equal = lit_and_equal(pair);
   signs.difference_of_same_color = static_cast<double>(same_difference) / count;
   if (signs.colored > 0) signs.same_color = static_cast<double>(same) / static_cast<double>(signs.colored);
   signs.difference_of_one_color = static_cast<double>(of_direction(pair, mean)) / count;

@@ -16,11 +16,12 @@ struct DifferenceSigns {
   double difference_of_same_color = 0;
   // Shares of the differing pixels that are all but black in the reference, and in the test picture.
   double black_in_reference = 0, black_in_test = 0;
-  // Of the pixels that are lit in either picture, the share that does not differ.
-  double lit_and_equal = 0;
   // Share of the differing pixels whose difference has the direction of the mean difference.
   double difference_of_one_color = 0;
 };
+
+// Of the pixels that are lit in either picture, the share that does not differ.
+double lit_and_equal(const PicturePair& pair);
 
 DifferenceSigns difference_signs(const PicturePair& pair);
 

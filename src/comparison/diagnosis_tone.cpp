@@ -11,7 +11,9 @@ namespace {
 
 // Of the samples that moved, at most this share may disobey the curve. A true curve is obeyed by all but
 // those that a renderer limited to one before it mixed them further (in mirrors).
-constexpr double most_disobedient = 0.02;
+constexpr double most_disobedient = 0.01;
+// Of the squared error, what may be left: few pixels with another, larger error are a second cause.
+constexpr double most_energy = 0.02;
 // Distinct levels of the reference among the samples that moved: with fewer, any curve passes through them.
 constexpr std::size_t fewest_levels = 8;
 // The better kind of curve must leave this much less than the other.
@@ -117,6 +119,10 @@ std::optional<Finding> find_tone(const PicturePair& pair) {
       factor.unexplained};
   if (other.unexplained < best.unexplained) std::swap(best, other);
   if (best.unexplained > most_disobedient) return std::nullopt;
+  const double left = best.diagnosis.kind == Diagnosis::Kind::gamma
+                          ? histogram.energy_left([&](double v) { return power(v, gamma.parameter); })
+                          : histogram.energy_left([&](double v) { return v * factor.parameter; });
+  if (left > most_energy) return std::nullopt;
   if (other.unexplained <= clearly_better * best.unexplained + equal) return std::nullopt;
   return best;
 }

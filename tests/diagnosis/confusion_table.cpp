@@ -46,9 +46,10 @@ std::string features(const Raster& reference, const Raster& test) {
                         w.share(w.vanished), w.share(w.appeared), w.share(w.kept), w.share(w.soft));
   }
   const EdgeSigns e = edge_signs(*pair);
-  text += fmt::format(" eo={:.3f} et={:.3f} ep={:.3f} en={} darkT={:.3f} darkR={:.3f} U={:.3f}", e.outside,
-                      e.thick, e.parts, e.pixels, s.black_in_test, s.black_in_reference, s.lit_and_equal);
-  const auto merged = differing_regions(*pair, 4);
+  text +=
+      fmt::format(" eo={:.3f} et={:.3f} ep={:.3f} en={} darkT={:.3f} darkR={:.3f} U={:.3f}", e.outside,
+                  e.thick, e.parts, e.pixels, s.black_in_test, s.black_in_reference, lit_and_equal(*pair));
+  const auto merged = differing_regions(*pair);
   double e2 = 0;
   for (const auto& r : merged) e2 += r.energy;
   if (!merged.empty())

@@ -3,8 +3,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
+#include "parser/parse.hpp"
 #include "rendering/frame_renderer.hpp"
 #include "rendering/pixel.hpp"
+#include "scene/build.hpp"
 #include "tests/support/scene_random.hpp"
 #include "loading/scene_loader.hpp"
 
@@ -26,6 +28,17 @@ Scene scene_of(const std::string& file) {
   LoadedScene loaded = load_scene(file, 256, images);
   if (!loaded.scene) throw std::runtime_error(loaded.messages);
   return std::move(*loaded.scene);
+}
+
+Scene scene_of_text(const std::string& text) {
+  const auto source = parser::Source::from_text("test.ray", text);
+  parser::Diagnostics diagnostics;
+  parser::Scene description = parser::parse(source, diagnostics);
+  if (!diagnostics.has_errors()) {
+    Scene scene = build_scene(std::move(description), source, diagnostics);
+    if (!diagnostics.has_errors()) return scene;
+  }
+  throw std::runtime_error(parser::render(source, diagnostics));
 }
 
 Raster picture(const Scene& scene, const Way& way) {

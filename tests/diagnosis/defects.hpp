@@ -23,6 +23,9 @@ struct Way {
 // A scene file of the project or of the corpus. Throws where it has errors.
 Scene scene_of(const std::string& file);
 
+// The text of a scene in place of its file; textures are looked for in the current folder.
+Scene scene_of_text(const std::string& text);
+
 Raster picture(const Scene& scene, const Way& way);
 
 // Pixels of the finished picture.

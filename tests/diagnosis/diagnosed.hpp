@@ -1,12 +1,13 @@
 // The diagnosis of two pictures as text, and the scenes that most tests use.
 #pragma once
 
-#include <functional>
+#include <stdexcept>
 #include <string>
 
 #include "comparison/diagnosis.hpp"
 #include "comparison/measure.hpp"
 #include "tests/diagnosis/defects.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace trace::test {
 
@@ -23,6 +24,14 @@ inline Scene our_scene(const std::string& name) {
   return scene_of(std::string(TRACE_SOURCE_DIR "/scenes/") + name + ".ray");
 }
 
+// The same with a part of its text replaced. Throws where the part is not in it.
+inline Scene our_scene_with(const std::string& name, const std::string& part, const std::string& instead) {
+  std::string text = read_text(std::string(TRACE_SOURCE_DIR "/scenes/") + name + ".ray");
+  const std::size_t at = text.find(part);
+  if (at == std::string::npos) throw std::runtime_error("not in " + name + ": " + part);
+  return scene_of_text(text.replace(at, part.size(), instead));
+}
+
 inline Raster our_solution(const std::string& name) {
   return read_raster(std::string(TRACE_SOURCE_DIR "/scenes/solutions/") + name + ".png");
 }
@@ -32,6 +41,11 @@ inline Way right_way() {
   Way way;
   way.options.width = 256;
   return way;
+}
+
+// Where the solution is of another size or has settings.
+inline Raster our_picture(const std::string& name) {
+  return picture(our_scene(name), right_way());
 }
 
 }  // namespace trace::test

@@ -1,41 +1,80 @@
 // What a scene lacks: shadows, reflections, highlights, an object.
 #include <catch2/catch.hpp>
 
-#include <iostream>
 #include "tests/diagnosis/diagnosed.hpp"
 
 namespace trace::test {
+namespace {
 
-TEST_CASE("survey", "[.][survey]") {
-  for (const char* dir : {"features", "showcase"})
-    for (const auto& e :
-         std::filesystem::directory_iterator(std::string(TRACE_SOURCE_DIR "/scenes/") + dir)) {
-      if (e.path().extension() != ".ray") continue;
-      const std::string name = std::string(dir) + "/" + e.path().stem().string();
-      const Scene scene = our_scene(name);
-      const Way right = right_way();
-      const Raster reference = picture(scene, right);
-      Way w = right;
-      w.options.shading.shadows = false;
-      std::cout << name << "\n  shadows " << diagnosed(reference, picture(scene, w)) << "\n";
-      w = right;
-      w.options.depth = 0;
-      std::cout << "  depth0 " << diagnosed(reference, picture(scene, w)) << "\n";
-      std::cout << "  specular "
-                << diagnosed(
-                       reference,
-                       picture(changed_materials(scene, [](Material& m) { m.specular = Rgb(0); }), right))
-                << "\n";
-      std::cout << "  half ";
-      w = right;
-      w.shift_x = w.shift_y = .5;
-      std::cout << diagnosed(reference, picture(scene, w)) << "\n";
-      for (std::size_t i = 0; i < std::min<std::size_t>(scene.objects.size(), 8); ++i) {
-        std::cout << "  obj " << i << " removed "
-                  << diagnosed(reference, picture(without_object(scene, i), right)) << " | moved "
-                  << diagnosed(reference, picture(moved_object(scene, i, Vec3(0.4, 0.3, 0)), right)) << "\n";
-      }
-    }
+struct Change {
+  const char* scene;
+  const char* part;
+  const char* instead;
+  const char* text;
+};
+
+void check(const Change& change) {
+  INFO(change.scene << ": " << change.part);
+  CHECK(diagnosed(our_solution(change.scene),
+                  picture(our_scene_with(change.scene, change.part, change.instead), right_way())) ==
+        change.text);
+}
+
+}  // namespace
+
+TEST_CASE("shadows that are switched off are missing") {
+  for (const char* scene : {"features/sphere", "features/box", "features/cone", "features/camera_aspect",
+                            "features/trimesh_polygons", "showcase/chess", "showcase/island"}) {
+    Way way = right_way();
+    way.options.shading.shadows = false;
+    INFO(scene);
+    CHECK(diagnosed(our_picture(scene), picture(our_scene(scene), way)) ==
+          "shadows-missing: shadows are missing");
+  }
+}
+
+TEST_CASE("a scene of mirrors at depth 0 lacks reflected light") {
+  for (const char* scene :
+       {"features/reflection", "features/reflection_depth", "showcase/hall_of_mirrors", "showcase/island"}) {
+    Way way = right_way();
+    way.options.depth = 0;
+    INFO(scene);
+    CHECK(diagnosed(our_picture(scene), picture(our_scene(scene), way)) ==
+          "reflection-missing: reflected or refracted light is missing");
+  }
+}
+
+TEST_CASE("highlights that are missing are told from reflections") {
+  for (const char* scene :
+       {"features/camera_tele", "features/material_inheritance", "features/antialias_off"}) {
+    INFO(scene);
+    CHECK(diagnosed(our_solution(scene),
+                    picture(changed_materials(our_scene(scene), [](Material& m) { m.specular = Rgb(0); }),
+                            right_way())) == "specular-missing: highlights are missing");
+  }
+}
+
+TEST_CASE("an object that is taken out of the scene's text is missing, and the box says where") {
+  check({"features/sphere", "translate(-1, 0.3, 2, scale(0.3, sphere {",
+         "translate(-1, 0.3, 2000, scale(0, sphere {",
+         "object-missing: an object is missing at (69, 121) to (101, 144)"});
+  check({"features/sphere", "translate(0.9, 0.22, 2.3, scale(0.22,", "translate(0.9, 0.22, 2.3, scale(0,",
+         "object-missing: an object is missing at (150, 130) to (172, 148)"});
+  check({"features/box", "translate(-1.3, 0.25, 1.6, rotate(0, 1, 0, 0.9, scale(0.5,",
+         "translate(-1.3, 0.25, 1.6, rotate(0, 1, 0, 0.9, scale(0,",
+         "object-missing: an object is missing at (43, 118) to (69, 145)"});
+  check({"features/cylinder", "translate(-0.9, 0.25, 1.6, rotate(0, 1, 0, 1.2, scale(0.25,",
+         "translate(-0.9, 0.25, 1.6, rotate(0, 1, 0, 1.2, scale(0,",
+         "object-missing: an object is missing at (78, 129) to (164, 162)"});
+}
+
+TEST_CASE("an object at another place is displaced, and the box holds both places") {
+  check({"features/sphere", "translate(0, 1, 0, sphere {", "translate(0.3, 1.2, 0, sphere {",
+         "object-displaced: an object is displaced within (82, 56) to (168, 125)"});
+  check({"features/sphere", "translate(-1, 0.3, 2,", "translate(-1.6, 0.3, 2,",
+         "object-displaced: an object is displaced within (45, 121) to (101, 144)"});
+  check({"features/box", "translate(-1.3, 0.25, 1.6,", "translate(-1, 0.25, 1.9,",
+         "object-displaced: an object is displaced within (43, 118) to (73, 152)"});
 }
 
 }  // namespace trace::test
