@@ -53,8 +53,9 @@ Json result(const std::string& scene, const std::string& outcome, double seconds
 void compare(Json& result) {
   const std::string picture = result["picture"], heat = picture + ".heat.png";
   fs::remove(heat);
-  result["comparison"] =
-      comparison_json(judge(result["solution"].get<std::string>(), picture, {.heat_map = heat}));
+  JudgeOptions options;
+  options.heat_map = heat;
+  result["comparison"] = comparison_json(judge(result["solution"].get<std::string>(), picture, options));
   result["heat"] = fs::exists(heat) ? Json(heat) : Json();
 }
 
