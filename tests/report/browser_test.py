@@ -167,7 +167,7 @@ def pictures_are_swiped_by_keyboard_and_mouse(page, folder):
     page.one("#detail .choice [data-value=side]").click()
     pictures_shown(page, 3)
     regions = len(measurements(page, "showcase/still_life.ray")["worst"])
-    assert len(page.all(".region")) == 2 * regions > 0  # on ours and on the solution
+    assert len(page.all(".region")) == 2 * regions > 0  # on both
     page.one("#detail .choice [data-value=swipe]").click()
     page.one("#detail .choice [data-value=solution]").click()
 
@@ -202,7 +202,7 @@ def worst_regions_are_enlarged_pixel_by_pixel(page, folder):
           }
         return colours.size > 1 ? scale : 0; })""")
     assert len(scales) == 3 * regions and min(scales) >= 4, scales
-    assert page.texts(".crop figcaption") == ["Ours", "Solution", "Heat map"] * regions
+    assert page.texts(".crop figcaption") == ["Rendered", "Solution", "Heat map"] * regions
 
 
 @test
@@ -310,7 +310,7 @@ def pictures_of_different_sizes_stand_beside_each_other(page, folder):
     pictures_shown(page, 2)
     assert page.all("img-comparison-slider") == []
     captions = page.texts(".stage figcaption")
-    assert [caption.split(", ")[0] for caption in captions] == ["Ours", "Solution"], captions
+    assert [caption.split(", ")[0] for caption in captions] == ["Rendered", "Solution"], captions
     assert "96" in captions[0] and "160" in captions[1], captions
 
 
@@ -326,10 +326,10 @@ def the_pixel_under_the_pointer_is_told(page, folder):
             clientX: box.left + at(arguments[0], image.naturalWidth) * box.width,
             clientY: box.top + at(arguments[1], image.naturalHeight) * box.height }));
         const text = document.querySelector(".probe").textContent;
-        return text.includes("Ours") && text.includes("Solution") && text""", largest["x"], largest["y"])
-    where, ours, solution = text.split(" \u00b7 ")
+        return text.includes("Rendered") && text.includes("Solution") && text""", largest["x"], largest["y"])
+    where, rendered, solution = text.split(" \u00b7 ")
     assert where == f"x {largest['x']}, y {largest['y']}", text
-    assert int(ours.split()[1 + largest["channel"]]) == largest["test"], (text, largest)
+    assert int(rendered.split()[1 + largest["channel"]]) == largest["test"], (text, largest)
     assert int(solution.split()[1 + largest["channel"]]) == largest["reference"], (text, largest)
 
 

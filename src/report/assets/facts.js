@@ -3,7 +3,7 @@
 const measureTerms = [
   ["Mean absolute", "mean_absolute", figure],
   ["RMSE", "root_mean_square", figure],
-  ["PSNR", "peak_signal_to_noise", decibel],
+  ["PSNR, dB", "peak_signal_to_noise", decibel],
   ["Mean signed", "mean_signed", figure],
   ["Largest", "largest", level],
 ];
@@ -43,7 +43,7 @@ function pictureTerms(measured) {
     ["SSIM", figure(measured.ssim, 4)],
     ["FLIP", figure(measured.flip, 4)],
     edges ? ["RMSE, edges forgiven", `${figure(edges.root_mean_square)} (${percent(edges.percent_over_one)} over a level)`] : null,
-    bad ? ["Not finite", `${count(notFinite.test, "sample")} of ours, ${notFinite.reference} of the solution`] : null,
+    bad ? ["Not finite", `${count(notFinite.test, "sample")} of the rendered picture, ${notFinite.reference} of the solution`] : null,
     ["Size", `${measured.width} \u00d7 ${measured.height}, ${count(measured.channels, "channel")}`],
   ];
 }

@@ -3,7 +3,7 @@
 const keyHelp = [
   ["n", "Next failure"],
   ["p", "Previous failure"],
-  ["b", "Blink between ours and the other picture"],
+  ["b", "Blink between the rendered and the other picture"],
   ["\u2190 \u2192", "Move the border of the swipe, when it has the focus"],
   ["/", "Filter"],
   ["?", "This help"],

@@ -39,10 +39,10 @@ function swipeView(result, role) {
   right.slot = "second";
   const slider = element("img-comparison-slider", { tabindex: "0", role: "slider", "aria-valuemin": 0,
     "aria-valuemax": 100, "aria-valuenow": 50,
-    "aria-label": `Ours on the left, ${roleName.get(role)} on the right; the arrow keys move the border` }, left, right);
+    "aria-label": `Rendered on the left, ${roleName.get(role)} on the right; the arrow keys move the border` }, left, right);
   slider.addEventListener("slide", () => slider.setAttribute("aria-valuenow", Math.round(slider.value)));
   return element("div", { class: "swipe" }, slider,
-    element("span", { class: "side left" }, "Ours"), element("span", { class: "side right" }, roleName.get(role)));
+    element("span", { class: "side left" }, roleName.get("picture")), element("span", { class: "side right" }, roleName.get(role)));
 }
 
 // With `swap`, which shows the other picture, and `stop`. Alone it swaps only where motion is welcome.
@@ -50,7 +50,7 @@ function blinkView(result, role) {
   const shown = ["picture", role];
   const frame = element("div", { class: "blink", "data-shown": shown[0] },
     ...shown.map((each) => element("div", { "data-role": each }, stagePicture(result, each))));
-  const name = element("span", { class: "side left", "aria-live": reducedMotion.matches ? "polite" : "off" }, "Ours");
+  const name = element("span", { class: "side left", "aria-live": reducedMotion.matches ? "polite" : "off" }, roleName.get("picture"));
   const swap = () => {
     shown.reverse();
     frame.dataset.shown = shown[0];

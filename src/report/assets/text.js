@@ -14,7 +14,7 @@ function figure(value, decimals = 2) {
 // Levels, which are mostly whole.
 const level = (value) => figure(value, Number.isInteger(value) ? 0 : 2);
 const percent = (value) => (typeof value === "number" ? `${figure(value)}\u202f%` : absent);
-const decibel = (value) => (typeof value === "number" ? `${figure(value, 1)}\u202fdB` : "\u221e");
+const decibel = (value) => (typeof value === "number" ? figure(value, 1) : "\u221e");
 
 function duration(seconds) {
   if (typeof seconds !== "number") return absent;
