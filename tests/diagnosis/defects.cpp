@@ -32,13 +32,10 @@ Scene scene_of(const std::string& file) {
 
 Scene scene_of_text(const std::string& text) {
   const auto source = parser::Source::from_text("test.ray", text);
-  parser::Diagnostics diagnostics;
-  parser::Scene description = parser::parse(source, diagnostics);
-  if (!diagnostics.has_errors()) {
-    Scene scene = build_scene(std::move(description), source, diagnostics);
-    if (!diagnostics.has_errors()) return scene;
-  }
-  throw std::runtime_error(parser::render(source, diagnostics));
+  FileImages images;
+  LoadedScene loaded = load_scene(source, 256, images);
+  if (!loaded.scene) throw std::runtime_error(loaded.messages);
+  return std::move(*loaded.scene);
 }
 
 Raster picture(const Scene& scene, const Way& way) {
