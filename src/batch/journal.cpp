@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -31,19 +30,23 @@ std::string read_all(int descriptor) {
 Journal::Journal(const std::filesystem::path& file) : file_(file) {
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(file, system_reason(errno));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  // A lock of this process, not of the open file: workers forked later must not hold it on when this process
+  // was killed and they are about to be.
+  struct flock whole_file {};
+  whole_file.l_type = F_WRLCK;
+  if (fcntl(descriptor_, F_SETLK, &whole_file) != 0) {
     const int error = errno;
     close(descriptor_);
-    fail(file, error == EWOULDBLOCK ? "another batch is writing to it" : system_reason(error));
+    fail(file, error == EACCES || error == EAGAIN ? "another batch is writing to it" : system_reason(error));
   }
   const std::string text = read_all(descriptor_);
-  const std::size_t whole = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
-  if (whole != text.size() && ftruncate(descriptor_, static_cast<off_t>(whole)) != 0) {
+  const std::size_t complete = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
+  if (complete != text.size() && ftruncate(descriptor_, static_cast<off_t>(complete)) != 0) {
     const int error = errno;
     close(descriptor_);
     fail(file, system_reason(error));
   }
-  for (std::size_t begin = 0; begin < whole;) {
+  for (std::size_t begin = 0; begin < complete;) {
     const std::size_t end = text.find('\n', begin);
     Record record = Record::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
                                   text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);

@@ -19,7 +19,7 @@ struct Diagnosis {
     brightness,        // test = f * reference
     shadows_missing,
     reflection_missing,
-    object_missing,  // one connected region, where the test shows what is behind
+    object_missing,  // one connected region, where the test shows what is behind, or black
     object_displaced,
     edges,    // differences along edges only
     blank,    // one colour everywhere
@@ -32,7 +32,9 @@ struct Diagnosis {
 
 std::string_view name(Diagnosis::Kind kind);  // "object-missing"
 
-// The pictures have the same size and channels and differ. Nothing where no single cause is clear.
+// The pictures have the same size and channels and differ. Nothing where no single cause is clear. Boxes in
+// the text name their first and last pixel. Nothing is asked of `measured` so far but that it is of these two
+// pictures.
 std::optional<Diagnosis> diagnose(const Raster& reference, const Raster& test, const Measurements& measured);
 
 }  // namespace trace

@@ -12,10 +12,11 @@ namespace {
 
 // Of the differing pixels, what may go the other way: rounding in mirrors and at edges.
 constexpr double most_other_way = 0.005;
-// A missing shadow or reflection leaves most of the picture alone; another brightness of a light does not.
-constexpr double most_is_equal = 0.5;
-// What every cause here leaves alone at least; see the tests below.
-constexpr double least_is_equal = 0.3;
+// Of what is lit, the share that stays as it is: most, where shadows or highlights are missing; not, where a
+// light has another brightness.
+constexpr double most_stays = 0.5;
+// The least that any cause here leaves alone.
+constexpr double least_stays = 0.3;
 
 bool never_darker(const DifferenceSigns& signs) {
   return signs.darker <= most_other_way;
@@ -26,7 +27,7 @@ bool never_brighter(const DifferenceSigns& signs) {
 
 bool shadows_missing(double equal, const DifferenceSigns& signs, const EdgeCounts& outline,
                      std::size_t pixels) {
-  if (!never_darker(signs) || equal < most_is_equal) return false;
+  if (!never_darker(signs) || equal < most_stays) return false;
   // Highlights, and mirrors in the shadow, may have colours of their own; or the shadows are black.
   const bool same_surface = signs.same_color >= 0.95;
   const bool black = static_cast<double>(signs.colored) <= 0.05 * static_cast<double>(pixels);
@@ -56,7 +57,7 @@ bool reflection_missing(double equal, const DifferenceSigns& signs, const EdgeCo
 bool specular_missing(double equal, const DifferenceSigns& signs, const EdgeCounts& outline,
                       const EdgeCounts& inside, const EdgeSigns& edges, std::size_t pixels) {
   return never_brighter(signs) && outline.share(outline.soft) >= 0.8 &&
-         signs.difference_of_same_color <= 0.3 && equal >= most_is_equal &&
+         signs.difference_of_same_color <= 0.3 && equal >= most_stays &&
          inside.share(inside.vanished) >= 0.4 &&
          static_cast<double>(edges.pixels) >= 0.3 * static_cast<double>(pixels);  // more than noise
 }
@@ -65,7 +66,7 @@ bool specular_missing(double equal, const DifferenceSigns& signs, const EdgeCoun
 
 std::optional<Finding> find_scene(const PicturePair& pair) {
   const double equal = lit_and_equal(pair);
-  if (equal < least_is_equal) return std::nullopt;
+  if (equal < least_stays) return std::nullopt;
   const DifferenceSigns signs = difference_signs(pair);
   const std::vector<DifferingRegion> regions = differing_regions(pair);
   if (regions.empty()) return std::nullopt;

@@ -1,6 +1,9 @@
 // What a finished scene left is there whatever happens afterwards.
 #include "batch/journal.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/temporary_folder.hpp"
@@ -39,8 +42,21 @@ TEST_CASE("lines of a journal that are no objects are passed over") {
 TEST_CASE("two batches cannot write to one journal") {
   const TemporaryFolder folder;
   const Journal first(folder / "j");
-  CHECK_THROWS_WITH(Journal(folder / "j"),
-                    "cannot write '" + (folder / "j").string() + "': another batch is writing to it");
+  // Locks are between processes.
+  const pid_t other = fork();
+  if (other == 0) {
+    try {
+      const Journal second(folder / "j");
+    } catch (const JournalError& e) {
+      const bool told = std::string(e.what()) ==
+                        "cannot write '" + (folder / "j").string() + "': another batch is writing to it";
+      _exit(told ? 7 : 8);
+    }
+    _exit(9);
+  }
+  int status = 0;
+  REQUIRE(waitpid(other, &status, 0) == other);
+  CHECK(WEXITSTATUS(status) == 7);
 }
 
 TEST_CASE("a journal that cannot be opened is told with its reason") {

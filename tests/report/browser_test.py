@@ -287,6 +287,7 @@ def details_tell_figures_messages_and_times(page, folder):
     for part in ("Reflection is missing", "RMSE", "PSNR", "Largest difference", "Foreground", "Time"):
         assert part in text, part
     page.press(browser.Keys.ESCAPE)
+    page.wait("return !document.getElementById('detail').open")
     open_scene(page, "wrong.ray")
     message = page.one("#detail pre").text
     assert message.startswith("wrong.ray:2:") and "\n" in message, message

@@ -58,11 +58,14 @@ function closeDetail() {
 }
 
 // However it was closed, by Escape too: the address no longer names it, and its row is where one was.
+// Unless by now another has been asked for.
 detail.addEventListener("close", () => {
+  if (detail.open) return;
   if (stage) stage.close();
   stage = null;
   detail.replaceChildren();
-  if (opened) history.replaceState(null, "", location.pathname + location.search);
+  if (opened && location.hash === addressOf(opened))
+    history.replaceState(null, "", location.pathname + location.search);
   const link = opened && document.querySelector(`#results a[href="${CSS.escape(addressOf(opened))}"]`);
   opened = null;
   if (link) link.focus();
