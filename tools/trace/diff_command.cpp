@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "image/image.hpp"
+#include "process/large_pages.hpp"
 #include "report/diff_csv.hpp"
 #include "report/diff_json.hpp"
 #include "report/diff_junit.hpp"
@@ -144,7 +145,11 @@ int check_names(const DiffArguments& arguments, bool folders) {
   return 0;
 }
 
+// Two pictures of 512 x 512 with everything that is made of them take some 30 MB.
+constexpr std::size_t heap_reserve = std::size_t{64} << 20;
+
 int run(const DiffArguments& arguments) {
+  use_large_pages(heap_reserve);
   const bool reference_is_folder = is_folder(arguments.reference), test_is_folder = is_folder(arguments.test);
   const bool folders = reference_is_folder || test_is_folder;
   if (folders && !(reference_is_folder && test_is_folder)) {
