@@ -21,6 +21,7 @@ void compare(const Job& job, Record& record) {
   JudgeOptions options;
   options.tolerance = job.tolerance;
   options.heat_map = job.heat_map;
+  options.threads = 1;  // the others have jobs of their own
   try {
     record["comparison"] = comparison_json(judge(job.solution, job.picture, options));
   } catch (const ImageError& e) {

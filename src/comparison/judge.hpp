@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "comparison/diagnosis.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison/measure.hpp"
 
 namespace trace {

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "comparison/edge_tolerant.hpp"
-#include "comparison/flip.hpp"
 #include "comparison/parallel.hpp"
 #include "comparison/percentiles.hpp"
+#include "comparison/perceptual/flip.hpp"
+#include "comparison/perceptual/ssim.hpp"
 #include "comparison/pixel_differences.hpp"
-#include "comparison/ssim.hpp"
 #include "comparison/worst_regions.hpp"
 
 namespace trace {

@@ -1,5 +1,5 @@
 // Which files of two folders are compared with one another.
-#include "tools/trace/picture_pairs.hpp"
+#include "tools/trace/diff/picture_pairs.hpp"
 
 #include <catch2/catch.hpp>
 

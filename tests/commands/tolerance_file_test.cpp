@@ -1,10 +1,10 @@
 // Tolerances scene by scene: which entry counts, what is an error, what --update writes.
-#include "tools/trace/tolerance_file.hpp"
+#include "loading/tolerance_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tools/trace/tolerance_update.hpp"
+#include "tools/trace/diff/tolerance_update.hpp"
 
 namespace trace::test {
 namespace {

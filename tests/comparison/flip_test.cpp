@@ -1,4 +1,4 @@
-#include "comparison/flip.hpp"
+#include "comparison/perceptual/flip.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "comparison/ssim.hpp"
+#include "comparison/perceptual/ssim.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "comparison/vector_math.hpp"
+#include "comparison/perceptual/vector_math.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "comparison/diagnosis.hpp"
-#include "comparison/diagnosis_pair.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
+#include "comparison/diagnosis/diagnosis_pair.hpp"
 
 namespace trace::test {
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "comparison/diagnosis_pair.hpp"
+#include "comparison/diagnosis/diagnosis_pair.hpp"
 #include "rendering/pixel.hpp"
 #include "tests/diagnosis/confusion.hpp"
 #include "tests/diagnosis/defects.hpp"

@@ -3,12 +3,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <stdexcept>
 
+#include "loading/scene_loader.hpp"
 #include "parser/parse.hpp"
 #include "rendering/frame_renderer.hpp"
 #include "rendering/pixel.hpp"
 #include "scene/build.hpp"
 #include "tests/support/scene_random.hpp"
-#include "loading/scene_loader.hpp"
 
 namespace trace::test {
 namespace {

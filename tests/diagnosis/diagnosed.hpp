@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "comparison/diagnosis.hpp"
+#include "comparison/diagnosis/diagnosis.hpp"
 #include "comparison/measure.hpp"
 #include "tests/diagnosis/defects.hpp"
 #include "tests/support/temporary_folder.hpp"

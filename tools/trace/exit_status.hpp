@@ -20,4 +20,12 @@ enum DiffStatus : int {
   diff_usage = 4,   // the command line cannot be used
 };
 
+// `trace batch DIR -o OUT`. The largest that applies; 128 + N where signal N interrupted it.
+enum BatchExitStatus : int {
+  batch_done = 0,    // all rendered, and identical or within tolerance
+  batch_beyond = 1,  // some are not within tolerance
+  batch_failed = 3,  // some were not rendered, or results cannot be written
+  batch_usage = 4,   // the command line, batch.json or tolerances cannot be used
+};
+
 }  // namespace trace

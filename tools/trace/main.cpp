@@ -5,10 +5,10 @@
 #include <new>
 #include <string_view>
 
-#include "tools/trace/batch_command.hpp"
-#include "tools/trace/diff_command.hpp"
+#include "tools/trace/batch/batch_command.hpp"
+#include "tools/trace/diff/diff_command.hpp"
 #include "tools/trace/exit_status.hpp"
-#include "tools/trace/render_command.hpp"
+#include "tools/trace/render/render_command.hpp"
 
 int main(int argc, char** argv) {
   try {

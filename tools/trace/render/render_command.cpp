@@ -1,0 +1,166 @@
+#include "tools/trace/render/render_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "loading/scene_loader.hpp"
+#include "loading/settings_file.hpp"
+#include "tools/trace/exit_status.hpp"
+#include "tools/trace/render/progress_line.hpp"
+#include "tools/trace/render/statistics.hpp"
+
+namespace trace {
+namespace {
+
+constexpr const char* version_text = "trace " TRACE_VERSION " (" TRACE_BUILD_TYPE
+                                     ", "
+#if defined(__clang__)
+                                     "clang " __clang_version__ ")";
+#else
+                                     "g++ " __VERSION__ ")";
+#endif
+
+constexpr const char* examples = R"(Other commands:
+  trace batch DIR -o OUT     all scenes of a folder, compared with solutions (trace batch --help)
+  trace diff A B             two pictures, or two folders of them (trace diff --help)
+
+Examples:
+  trace scene.ray out.png                      512 pixels wide, five bounces
+  trace -r 8 -w 1024 scene.ray out.png         deeper and larger
+  trace -j settings.json scene.ray out.png     antialiasing and other switches from a file
+  trace -c sky/posx.png scene.ray out.png      the six faces in sky/ around the scene
+  sed s/sphere/box/ a.ray | trace - out.png    a scene from standard input
+
+Exit status: 0 done, 1 the scene or a file it needs is wrong, 2 usage, 3 cannot write.
+)";
+
+struct Arguments {
+  std::string scene, output, settings, cube_map;
+  RenderOptions options;
+  bool stats = false, quiet = false;
+  bool depth_given = false, width_given = false, threads_given = false;
+};
+
+void say(const Arguments& arguments, const std::string& text) {
+  if (!arguments.quiet) fmt::print(stderr, "trace: {}\n", text);
+}
+
+// The settings file is applied after the flags, as the course's renderer does.
+bool apply_settings(Arguments& arguments) {
+  if (arguments.settings.empty()) return true;
+  const SettingsFile file = read_settings(arguments.settings);
+  if (!file.messages.empty() && (!arguments.quiet || !file.valid)) fmt::print(stderr, "{}", file.messages);
+  if (!file.valid) return false;
+  const RenderOptions flags = arguments.options;
+  file.apply(arguments.options);
+  const auto note = [&](bool given, int flag, int setting, const char* key, const char* option) {
+    if (given && flag != setting) {
+      say(arguments, fmt::format("note: \"{}\": {} in {} wins over {} {}", key, setting, arguments.settings,
+                                 option, flag));
+    }
+  };
+  note(arguments.depth_given, flags.depth, arguments.options.depth, "recursion_depth", "-r");
+  note(arguments.width_given, flags.width, arguments.options.width, "size", "-w");
+  note(arguments.threads_given, flags.threads, arguments.options.threads, "threads", "-t");
+  return true;
+}
+
+void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene) {
+  if (arguments.cube_map.empty()) return;
+  std::string problem;
+  scene.cube_map = read_cube_map(arguments.cube_map, images, problem);
+  if (!scene.cube_map) say(arguments, fmt::format("warning: no cube map: {}", problem));
+}
+
+int run(Arguments& arguments) {
+  Statistics statistics;
+  if (!apply_settings(arguments)) return exit_bad_input;
+  try {
+    check_writable(arguments.output);
+  } catch (const ImageError& e) {
+    fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
+    return exit_cannot_write;
+  }
+  statistics.lap(Stage::start);
+
+  FileImages images;
+  LoadedScene loaded = load_scene(arguments.scene, arguments.options.width, images);
+  if (!loaded.messages.empty() && (!arguments.quiet || !loaded.scene))
+    fmt::print(stderr, "{}", loaded.messages);
+  if (!loaded.scene) return exit_bad_input;
+  Scene& scene = *loaded.scene;
+  add_cube_map(arguments, images, scene);
+  statistics.lap(Stage::load);
+
+  const SceneTree tree(scene);
+  statistics.lap(Stage::build);
+
+  Progress progress;
+  Rendered rendered;
+  {
+    const ProgressLine line(progress, !arguments.quiet);
+    rendered = render(scene, tree, arguments.options, progress);
+  }
+  statistics.lap(Stage::render);
+
+  try {
+    write_image(arguments.output, rendered.image);
+  } catch (const ImageError& e) {
+    fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
+    return exit_cannot_write;
+  }
+  statistics.lap(Stage::write);
+  if (arguments.stats) fmt::print(stderr, "{}", statistics.report(scene, rendered));
+  return exit_done;
+}
+
+}  // namespace
+
+int render_command(int argc, const char* const* argv) {
+  Arguments arguments;
+  RenderOptions& options = arguments.options;
+  CLI::App app("Renders a .ray scene (SBT-raytracer 1.0) to a picture.", "trace");
+  app.footer(examples);
+  app.set_version_flag("--version", version_text, "Show the version and exit");
+  app.set_help_flag("-h,--help", "Show this and exit");
+  auto* depth =
+      app.add_option("-r,--depth", options.depth, "Bounces of reflection and refraction (0 to 1000)")
+          ->check(CLI::Range(-max_depth, max_depth))
+          ->capture_default_str()
+          ->type_name("N");
+  auto* width = app.add_option("-w,--width", options.width, "Width of the picture in pixels")
+                    ->check(CLI::Range(1, max_width))
+                    ->capture_default_str()
+                    ->type_name("N");
+  app.add_option("-j,--settings", arguments.settings, "Settings as a JSON file; they win over flags")
+      ->type_name("FILE");
+  app.add_option("-c,--cubemap", arguments.cube_map, "One of six faces; the other five lie beside it")
+      ->type_name("FACE");
+  auto* threads = app.add_option("-t,--threads", options.threads, "Threads (default: one a processor)")
+                      ->check(CLI::Range(1, 1024))
+                      ->type_name("N");
+  app.add_flag("--stats", arguments.stats, "Report counts and times on standard error");
+  app.add_flag("-q,--quiet", arguments.quiet, "No notes, warnings or progress");
+  app.add_option("scene", arguments.scene, "The scene; - reads standard input")->required();
+  app.add_option("output", arguments.output,
+                 "The picture: .png or .bmp; .jpg, .tif, .exr, ... by OpenImageIO")
+      ->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {
+    app.exit(wish);
+    return exit_done;
+  } catch (const CLI::ParseError& e) {
+    fmt::print(stderr, "trace: error: {}\nRun 'trace --help' for how to use it.\n", e.what());
+    return exit_usage;
+  }
+  arguments.depth_given = depth->count() > 0;
+  arguments.width_given = width->count() > 0;
+  arguments.threads_given = threads->count() > 0;
+  if (options.depth < 0) options.depth = 0;
+  return run(arguments);
+}
+
+}  // namespace trace
