@@ -42,7 +42,7 @@ function pictureTerms(measured) {
     percentiles ? ["50, 90, 99, 99.9 % are within", ["p50", "p90", "p99", "p99.9"].map((key) => level(percentiles[key])).join(", ")] : null,
     ["SSIM", figure(measured.ssim, 4)],
     ["FLIP", figure(measured.flip, 4)],
-    edges ? ["RMSE, edges forgiven", `${figure(edges.root_mean_square)} (${percent(edges.percent_over_one)} over a level)`] : null,
+    edges ? ["Edges forgiven", `${figure(edges.root_mean_square)} RMS of the worst channel, ${percent(edges.percent_over_one)} over a level`] : null,
     bad ? ["Not finite", `${count(notFinite.test, "sample")} of the rendered picture, ${notFinite.reference} of the solution`] : null,
     ["Size", `${measured.width} \u00d7 ${measured.height}, ${count(measured.channels, "channel")}`],
   ];

@@ -41,6 +41,7 @@ void print_summary(const Record& summary, const BatchRun& run, bool compared) {
              count("failed"));
   if (run.resumed > 0) fmt::print(" ({} done before)", run.resumed);
   fmt::print("\n");
+  if (run.signal != 0) fmt::print("interrupted; the same command goes on from here\n");
   if (!compared) return;
   std::string line;
   for (const auto& [verdict, number] : counts.items()) {
