@@ -7,6 +7,7 @@
 
 #include "batch/job.hpp"
 #include "batch/journal.hpp"
+#include "batch/signal_watch.hpp"
 
 namespace trace {
 
@@ -34,9 +35,11 @@ struct BatchRun {
 };
 
 // Does the jobs with `workers` processes at a time, those first that are likely to take long. What the
-// journal says of an earlier run and still holds is not done again. Each record is appended to the journal
-// before the observer hears of it. To be called from a process without other threads. Throws JournalError.
-BatchRun run_batch(const std::vector<Job>& jobs, int workers, Journal& journal, BatchObserver& observer);
+// journal says of an earlier run and still holds is not done again. A record is appended to the journal as
+// soon as its picture is there, and again with the comparison; then the observer hears of it. To be called
+// from a process without other threads. Throws JournalError.
+BatchRun run_batch(const std::vector<Job>& jobs, int workers, Journal& journal, const SignalWatch& signals,
+                   BatchObserver& observer);
 
 // Whether it was not rendered or is not within tolerance.
 bool is_failure(const Record& record);

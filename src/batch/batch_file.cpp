@@ -115,6 +115,8 @@ std::optional<BatchFile> BatchFile::read(const std::filesystem::path& path, std:
   if (!std::filesystem::exists(path, ignored)) return std::nullopt;
   std::optional<parser::Source> source;
   try {
+    if (!std::filesystem::is_regular_file(path, ignored))
+      throw std::runtime_error(fmt::format("'{}' is not a file", path.string()));
     source = parser::Source::from_file(path.string());
   } catch (const std::runtime_error& e) {
     messages += fmt::format("trace: error: {}\n", e.what());

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <array>
 
-#include "image/image.hpp"
+#include "image/image_source.hpp"
 #include "image/input_file.hpp"
 
 #define XXH_INLINE_ALL
@@ -23,6 +23,12 @@ std::string content_hash(std::string_view bytes) {
 }
 
 std::optional<std::string> file_hash(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    std::string names;
+    for (const auto& entry : FileImages().list(file, error)) names += entry.filename().string() + '\0';
+    return error ? std::nullopt : std::optional(content_hash(names));
+  }
   try {
     const InputFile input(file);
     const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(),

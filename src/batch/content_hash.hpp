@@ -13,7 +13,7 @@ namespace trace {
 // XXH3 with 128 bits, as 32 hexadecimal digits.
 std::string content_hash(std::string_view bytes);
 
-// Nothing where the file is not there or cannot be read.
+// Of a folder: the names in it. Nothing where the file is not there or cannot be read.
 std::optional<std::string> file_hash(const std::filesystem::path& file);
 
 // Hashes files once each; for a moment in which none of them changes.

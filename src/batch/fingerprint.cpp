@@ -49,10 +49,10 @@ std::string picture_key(const Job& job, const std::string& program) {
                                   job.renderer.command.empty() ? program : ""));
 }
 
-std::string comparison_key(const Job& job, FileHashes& files) {
+std::string comparison_key(const Job& job, const std::string& program, FileHashes& files) {
   if (job.solution.empty()) return "";
   const Tolerance& t = job.tolerance;
-  return content_hash(fmt::format("{}\n{}\n{}\n{} {} {} {} {} {}", absolute_name(job.solution),
+  return content_hash(fmt::format("{}\n{}\n{}\n{}\n{} {} {} {} {} {}", program, absolute_name(job.solution),
                                   files.of(job.solution).value_or(""), absolute_name(job.heat_map),
                                   text(t.rmse), text(t.max), text(t.pixels), t.over, text(t.ssim),
                                   text(t.flip)));
@@ -85,9 +85,10 @@ bool picture_is_current(const Record& record, const Job& job, const std::string&
   }
 }
 
-bool comparison_is_current(const Record& record, const Job& job, FileHashes& files) {
+bool comparison_is_current(const Record& record, const Job& job, const std::string& program,
+                           FileHashes& files) {
   const auto key = record.find("judge_key");
-  if (key == record.end() || *key != comparison_key(job, files)) return false;
+  if (key == record.end() || *key != comparison_key(job, program, files)) return false;
   const auto heat = record.find("heat");
   return heat == record.end() || heat->is_null() || std::filesystem::exists(job.heat_map);
 }

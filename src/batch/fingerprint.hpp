@@ -6,6 +6,7 @@
 
 #include "batch/content_hash.hpp"
 #include "batch/job.hpp"
+#include "batch/record.hpp"
 
 namespace trace {
 
@@ -18,7 +19,7 @@ Record input(const std::filesystem::path& file, const std::optional<std::string>
 std::string picture_key(const Job& job, const std::string& program);
 
 // Everything but the picture that decides its comparison: the solution's content, the tolerance.
-std::string comparison_key(const Job& job, FileHashes& files);
+std::string comparison_key(const Job& job, const std::string& program, FileHashes& files);
 
 // The hash of the running program's file.
 std::string own_program_hash();
@@ -31,6 +32,7 @@ std::filesystem::path find_program(const std::string& name);
 bool picture_is_current(const Record& record, const Job& job, const std::string& program, FileHashes& files);
 
 // Whether its comparison is too.
-bool comparison_is_current(const Record& record, const Job& job, FileHashes& files);
+bool comparison_is_current(const Record& record, const Job& job, const std::string& program,
+                           FileHashes& files);
 
 }  // namespace trace

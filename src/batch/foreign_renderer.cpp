@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <set>
 
 #include "batch/failure.hpp"
 #include "batch/fingerprint.hpp"
@@ -21,6 +22,8 @@ namespace trace {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view new_folder_prefix = ".trace-";
 
 // Tells which pictures a scene names, without reading any.
 class NamesOfImages : public ImageSource {
@@ -50,6 +53,12 @@ Record inputs_of(const Job& job) {
   for (const auto& [file, wanted] : images.names()) inputs.push_back(input(file, file_hash(file)));
   const fs::path program = find_program(job.renderer.command.front());
   if (!program.empty()) inputs.push_back(input(program, file_hash(program)));
+  // "python3 ray.py {scene} {out}": the script too.
+  for (std::size_t i = 1; i < job.renderer.command.size(); ++i) {
+    std::error_code ignored;
+    const fs::path word = job.renderer.command[i];
+    if (fs::is_regular_file(word, ignored)) inputs.push_back(input(word, file_hash(word)));
+  }
   return inputs;
 }
 
@@ -57,7 +66,7 @@ Record inputs_of(const Job& job) {
 class NewFolder {
  public:
   explicit NewFolder(const fs::path& in) {
-    std::string name = (in / ".trace-XXXXXX").string();
+    std::string name = (in / (std::string(new_folder_prefix) + "XXXXXX")).string();
     if (!mkdtemp(name.data()))
       throw ImageError(fmt::format("cannot make a folder in '{}': {}", in.string(), system_reason(errno)));
     path_ = name;
@@ -93,6 +102,8 @@ struct Finding {
 Finding look_at(const fs::path& out, std::time_t begin) {
   struct stat state {};
   if (lstat(out.c_str(), &state) != 0) return {outcome::no_picture, "wrote no picture to {out}"};
+  if (!S_ISREG(state.st_mode))
+    return {outcome::bad_picture, "left something at {out} that is no file of its own"};
   // Two seconds for file systems whose times are that coarse.
   if (state.st_mtime < begin - 2)
     return {outcome::stale_picture, "left a picture that is older than its run: it has not drawn this one"};
@@ -128,6 +139,7 @@ void draw_with_program(const Job& job, Record& record) {
   const std::time_t begin = std::time(nullptr);
   ProgramOptions options;
   options.limits = job.limits;
+  options.refuse_allocations = false;  // its own affair how much it reserves
   const ProgramResult result =
       run_program(fill_in(job.renderer.command, {{"scene", job.scene},
                                                  {"out", out.string()},
@@ -139,7 +151,7 @@ void draw_with_program(const Job& job, Record& record) {
   record["memory_mib"] = static_cast<double>(result.peak_memory_bytes) / (1 << 20);
   if (result.outcome != Outcome{Outcome::Kind::exited, 0}) {
     record["outcome"] = outcome_word(result.outcome);
-    record["message"] = failure_message(job, result.outcome) + result.output;
+    record["message"] = failure_message(job, job.renderer.name, result.outcome) + result.output;
     return;
   }
   const Finding finding = look_at(out, begin);
@@ -149,6 +161,22 @@ void draw_with_program(const Job& job, Record& record) {
   } else {
     record["message"] =
         fmt::format("{}: error: {} {}\n{}", job.scene, job.renderer.name, finding.problem, result.output);
+  }
+}
+
+void remove_leftovers(const std::vector<Job>& jobs) {
+  std::set<fs::path> folders;
+  for (const Job& job : jobs) {
+    if (!job.renderer.command.empty()) folders.insert(job.picture.parent_path());
+  }
+  FileImages files;
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    for (const fs::path& entry : files.list(folder, ignored)) {
+      const std::string name = entry.filename().string();
+      if (name.starts_with(new_folder_prefix) && name.size() == new_folder_prefix.size() + 6)
+        fs::remove_all(entry, ignored);
+    }
   }
 }
 

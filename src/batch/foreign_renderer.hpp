@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "batch/job.hpp"
+#include "batch/record.hpp"
 
 namespace trace {
 
@@ -17,5 +18,9 @@ std::vector<std::string> parse_renderer_command(const std::string& text);
 
 // Fills in the record's outcome, message, times, memory and inputs.
 void draw_with_program(const Job& job, Record& record);
+
+// Removes the folders that programs wrote to when their batch was killed. Only for who holds the batch's
+// journal.
+void remove_leftovers(const std::vector<Job>& jobs);
 
 }  // namespace trace

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "batch/record.hpp"
 #include "comparison/judge.hpp"
 #include "process/limits.hpp"
 #include "rendering/options.hpp"
@@ -29,9 +28,6 @@ struct Job {
   std::filesystem::path solution;  // empty: nothing to compare with
   std::filesystem::path heat_map;  // empty: not wanted
   Tolerance tolerance;
-
-  // What an earlier run left, where its picture is still right and only the comparison is to be made.
-  Record finished;
 };
 
 }  // namespace trace

@@ -27,7 +27,7 @@ std::string read_all(int descriptor) {
 
 }  // namespace
 
-Journal::Journal(const std::filesystem::path& file) : file_(file) {
+Journal::Journal(const std::filesystem::path& file, bool fresh) : file_(file) {
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(file, system_reason(errno));
   // A lock of this process, not of the open file: workers forked later must not hold it on when this process
@@ -39,9 +39,9 @@ Journal::Journal(const std::filesystem::path& file) : file_(file) {
     close(descriptor_);
     fail(file, error == EACCES || error == EAGAIN ? "another batch is writing to it" : system_reason(error));
   }
-  const std::string text = read_all(descriptor_);
+  const std::string text = fresh ? "" : read_all(descriptor_);
   const std::size_t complete = text.rfind('\n') == text.npos ? 0 : text.rfind('\n') + 1;
-  if (complete != text.size() && ftruncate(descriptor_, static_cast<off_t>(complete)) != 0) {
+  if ((fresh || complete != text.size()) && ftruncate(descriptor_, static_cast<off_t>(complete)) != 0) {
     const int error = errno;
     close(descriptor_);
     fail(file, system_reason(error));
@@ -67,7 +67,13 @@ void Journal::append(const Record& record) {
     if (count < 0) fail(file_, system_reason(errno));
     done += static_cast<std::size_t>(count);
   }
+  using namespace std::chrono_literals;
+  if (std::chrono::steady_clock::now() - flushed_ > 500ms) flush();
+}
+
+void Journal::flush() {
   if (fdatasync(descriptor_) != 0 && errno != EINVAL) fail(file_, system_reason(errno));
+  flushed_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace trace

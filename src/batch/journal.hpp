@@ -1,9 +1,11 @@
 // The results of a batch as they come: a file of one JSON object a line.
 //
-// A line is on the disk before the next scene's is begun. What a power cut or a kill leaves at the end of the
-// file, half a line, is dropped when the file is opened again.
+// A line is with the system as soon as it is appended, so that no end of this process loses it, and on the
+// disk half a second later at most. What a power cut leaves at the end of the file, half a line, is dropped
+// when the file is opened again.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <stdexcept>
 #include <vector>
@@ -20,7 +22,8 @@ class Journal {
  public:
   // Opens the file or makes it, and locks it: two batches must not write to one folder. Throws JournalError,
   // whose text names the file.
-  explicit Journal(const std::filesystem::path& file);
+  // `fresh`: what is in it is dropped.
+  explicit Journal(const std::filesystem::path& file, bool fresh = false);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
@@ -29,10 +32,12 @@ class Journal {
   const std::vector<Record>& earlier() const { return earlier_; }
 
   void append(const Record& record);  // throws JournalError
+  void flush();                       // to the disk; throws JournalError
 
  private:
   std::filesystem::path file_;
   int descriptor_ = -1;
+  std::chrono::steady_clock::time_point flushed_{};
   std::vector<Record> earlier_;
 };
 

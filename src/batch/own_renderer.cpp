@@ -34,6 +34,14 @@ bool render_to_file(const Job& job, const parser::Source& source, SharedImages& 
     loaded.scene->cube_map = read_cube_map(job.cube_map, images, problem);
     if (!loaded.scene->cube_map) messages += fmt::format("trace: warning: no cube map: {}\n", problem);
   }
+  for (const auto& [file, hash] : images.asked()) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(file, job.picture, ignored)) {
+      messages +=
+          fmt::format("{}: error: its picture would replace '{}', which the scene uses\n", job.scene, file);
+      return false;
+    }
+  }
   const SceneTree tree(*loaded.scene);
   Progress progress;
   const Rendered rendered = render(*loaded.scene, tree, job.options, progress);

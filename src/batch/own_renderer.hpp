@@ -2,6 +2,7 @@
 #pragma once
 
 #include "batch/job.hpp"
+#include "batch/record.hpp"
 #include "process/blob_exchange.hpp"
 
 namespace trace {

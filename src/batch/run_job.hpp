@@ -2,6 +2,7 @@
 #pragma once
 
 #include "batch/job.hpp"
+#include "batch/record.hpp"
 #include "process/blob_exchange.hpp"
 
 namespace trace {
@@ -25,9 +26,12 @@ Record new_record(const Job& job);
 // Sets the names of the record's pictures as this run sees them.
 void place(const Job& job, Record& record);
 
-// Draws the picture, unless job.finished tells that it is there, compares it, and tells all in a record. A
-// picture that an earlier run left goes away where there is no new one. `program` is own_program_hash().
-// Throws std::bad_alloc.
-Record run_job(const Job& job, const std::string& program, BlobExchange& exchange);
+// Draws the picture and tells all but the comparison. A picture that an earlier run left goes away where
+// there is no new one. `program` is own_program_hash(). Throws std::bad_alloc.
+Record draw_job(const Job& job, const std::string& program, BlobExchange& exchange);
+
+// Compares the picture that a record tells of with the job's solution, if there is one, and sets the record's
+// comparison. Throws std::bad_alloc.
+void compare_job(const Job& job, const std::string& program, Record& record);
 
 }  // namespace trace

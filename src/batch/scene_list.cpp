@@ -1,8 +1,12 @@
 #include "batch/scene_list.hpp"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
+
+#include "image/image_source.hpp"
+#include "image/system_error.hpp"
 
 namespace trace {
 namespace {
@@ -23,23 +27,32 @@ bool matches(const std::string& pattern, const std::string& path) {
   return fnmatch(pattern.c_str(), path.c_str(), flags) == 0;
 }
 
-std::vector<std::string> find_scenes(const std::filesystem::path& folder, const SceneFilter& filter) {
-  std::vector<std::string> scenes;
+SceneList find_scenes(const std::filesystem::path& folder, const SceneFilter& filter) {
+  namespace fs = std::filesystem;
+  SceneList found;
   const std::vector<std::string> usual{"*.ray"};
-  for (std::filesystem::recursive_directory_iterator entry(folder), end; entry != end; ++entry) {
-    const std::string name = entry->path().filename().string();
-    if (name.starts_with(".")) {
-      entry.disable_recursion_pending();
-      continue;
+  std::vector<fs::path> folders{folder};
+  while (!folders.empty()) {
+    const fs::path here = folders.back();
+    folders.pop_back();
+    std::error_code error;
+    for (const fs::path& entry : FileImages().list(here, error)) {
+      if (entry.filename().string().starts_with(".")) continue;
+      std::error_code ignored;
+      const fs::file_status link = fs::symlink_status(entry, ignored);
+      if (fs::is_directory(link)) folders.push_back(entry);
+      if (!fs::is_regular_file(fs::status(entry, ignored))) continue;
+      const std::string path = entry.lexically_relative(folder).generic_string();
+      if (any_matches(filter.include.empty() ? usual : filter.include, path) &&
+          !any_matches(filter.exclude, path))
+        found.scenes.push_back(path);
     }
-    if (!entry->is_regular_file()) continue;
-    const std::string path = entry->path().lexically_relative(folder).generic_string();
-    if (any_matches(filter.include.empty() ? usual : filter.include, path) &&
-        !any_matches(filter.exclude, path))
-      scenes.push_back(path);
+    if (error)
+      found.problems.push_back(
+          fmt::format("cannot read the folder '{}': {}", here.string(), system_reason(error.value())));
   }
-  std::sort(scenes.begin(), scenes.end());
-  return scenes;
+  std::sort(found.scenes.begin(), found.scenes.end());
+  return found;
 }
 
 }  // namespace trace

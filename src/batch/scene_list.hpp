@@ -17,9 +17,14 @@ struct SceneFilter {
   std::vector<std::string> exclude;
 };
 
+struct SceneList {
+  std::vector<std::string> scenes;
+  std::vector<std::string> problems;  // "cannot read the folder 'x': permission denied"
+};
+
 // The paths, relative to `folder`, of all scenes in it and the folders below, in order of their names. Hidden
 // files and folders, and folders behind symbolic links, are passed over. Throws
 // std::filesystem::filesystem_error.
-std::vector<std::string> find_scenes(const std::filesystem::path& folder, const SceneFilter& filter);
+SceneList find_scenes(const std::filesystem::path& folder, const SceneFilter& filter);
 
 }  // namespace trace

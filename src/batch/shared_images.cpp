@@ -26,9 +26,11 @@ std::string key_of(const std::filesystem::path& file) {
 }
 
 std::vector<std::uint8_t> decode(const std::filesystem::path& file) {
+  // The hash first: of a file that is replaced meanwhile it is then the old one's, and the next run sees a
+  // change.
+  const std::string hash = file_hash(file).value_or(std::string(sizeof(Header::hash), '?'));
   const Image image = read_image(file);
   Header header{image.width, image.height, {}};
-  const std::string hash = file_hash(file).value_or(std::string(sizeof header.hash, '?'));
   std::memcpy(header.hash, hash.data(), sizeof header.hash);
   std::vector<std::uint8_t> bytes(sizeof header + image.rgb.size());
   std::memcpy(bytes.data(), &header, sizeof header);
@@ -57,6 +59,12 @@ bool SharedImages::exists(const std::filesystem::path& file) {
   const bool found = std::filesystem::exists(file, ignored);
   if (!found) asked_.try_emplace(file.string());
   return found;
+}
+
+std::vector<std::filesystem::path> SharedImages::list(const std::filesystem::path& folder,
+                                                      std::error_code& error) {
+  asked_[folder.string()] = file_hash(folder);
+  return ImageSource::list(folder, error);
 }
 
 }  // namespace trace

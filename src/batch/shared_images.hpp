@@ -16,6 +16,8 @@ class SharedImages : public ImageSource {
 
   SharedImage read(const std::filesystem::path& file) override;
   bool exists(const std::filesystem::path& file) override;
+  std::vector<std::filesystem::path> list(const std::filesystem::path& folder,
+                                          std::error_code& error) override;
 
   // Every file that was asked for, with the hash of its content; nothing where it could not be read.
   const std::map<std::string, std::optional<std::string>>& asked() const { return asked_; }

@@ -5,15 +5,24 @@
 
 namespace trace {
 
-// While it lives SIGINT, SIGTERM and SIGHUP do not end this process; pending() tells which of them came.
+// While it lives SIGINT, SIGTERM and SIGHUP do not end this process; pending() tells which of them came. One
+// that is ignored already (nohup) stays so.
 class SignalWatch {
  public:
   SignalWatch() {
     sigemptyset(&watched_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&watched_, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction action {};
+      sigaction(signal, nullptr, &action);
+      if (action.sa_handler != SIG_IGN) sigaddset(&watched_, signal);
+    }
     sigprocmask(SIG_BLOCK, &watched_, &before_);
   }
-  ~SignalWatch() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  // What came and was not asked for is forgotten.
+  ~SignalWatch() {
+    while (pending() != 0) continue;
+    sigprocmask(SIG_SETMASK, &before_, nullptr);
+  }
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
 

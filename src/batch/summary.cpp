@@ -40,7 +40,7 @@ Record summary(const BatchInfo& info, const BatchRun& run) {
   Record results = Record::array();
   for (const Record& record : run.records) {
     Record& result = results.emplace_back(record);
-    for (const char* internal : {"key", "judge_key", "inputs", "picture_hash"}) result.erase(internal);
+    for (const char* internal : internal_members) result.erase(internal);
   }
   return {{"format", "trace-batch"},
           {"version", 1},

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <system_error>
+#include <vector>
 
 #include "image/image.hpp"
 
@@ -24,6 +26,10 @@ class ImageSource {
 
   // Whether there is such a file. Sources that keep account of what a scene depends on want to be asked.
   virtual bool exists(const std::filesystem::path& file) = 0;
+
+  // What is in a folder, in order of the names. Empty with an error where it cannot be read.
+  virtual std::vector<std::filesystem::path> list(const std::filesystem::path& folder,
+                                                  std::error_code& error);
 };
 
 // Reads the file each time.

@@ -30,7 +30,9 @@ namespace {
   try {
     die_with(supervisor, SIGKILL);
     default_signals(built_with_sanitizer);
-    std::signal(SIGINT, SIG_IGN);  // Ctrl-C reaches all of the group; what it means, the supervisor decides
+    // These reach all of the group (Ctrl-C, a closed terminal, timeout(1)); what they mean, the supervisor
+    // decides.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
     no_core_file();
     in_child();
     no_standard_input();

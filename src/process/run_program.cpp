@@ -97,7 +97,7 @@ void Run::start(std::vector<std::string> arguments) {
   start.arguments = argument_strings.pointers();
   start.environment = environment.pointers();
   start.folder = options_.folder.empty() ? nullptr : options_.folder.c_str();
-  start.memory_bytes = options_.limits.memory_bytes;
+  start.memory_bytes = options_.refuse_allocations ? options_.limits.memory_bytes : 0;
   start.largest_file = options_.largest_file;
   start.output = output.write.get();
   start.errors = options_.errors_apart ? errors.write.get() : output.write.get();
@@ -176,7 +176,8 @@ Outcome Run::outcome() const {
       report_ ? outcome_of_status(report_->status) : Outcome{Outcome::Kind::signalled, SIGKILL};
   const bool was_killed = own == Outcome{Outcome::Kind::signalled, SIGKILL};
   if (was_killed && stopped_for_) return {*stopped_for_, 0};
-  const bool refused = options_.limits.memory_bytes > 0 && own != Outcome{Outcome::Kind::exited, 0} &&
+  const bool refused = options_.refuse_allocations && options_.limits.memory_bytes > 0 &&
+                       own != Outcome{Outcome::Kind::exited, 0} &&
                        (speaks_of_memory(output_text_.text()) || speaks_of_memory(errors_text_.text()));
   return refused ? Outcome{Outcome::Kind::out_of_memory, 0} : own;
 }

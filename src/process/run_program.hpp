@@ -24,9 +24,12 @@ namespace trace {
 
 struct ProgramOptions {
   Limits limits;
-  std::filesystem::path folder;                         // that it runs in; empty: ours
-  std::vector<std::string> environment;                 // "NAME=value", beside ours or instead
-  bool errors_apart = false;                            // from the output
+  std::filesystem::path folder;          // that it runs in; empty: ours
+  std::vector<std::string> environment;  // "NAME=value", beside ours or instead
+  bool errors_apart = false;             // from the output
+  // Whether allocations beyond the memory limit fail (RLIMIT_DATA). Without, the program is only stopped once
+  // it has that much resident: for programs that reserve more than they use, as with AddressSanitizer.
+  bool refuse_allocations = true;
   std::uint64_t largest_file = std::uint64_t{1} << 30;  // bytes it may write to one file; 0: any number
 };
 

@@ -10,9 +10,9 @@
 // - Limits are enforced, and idle workers given their next job, inside wait() only.
 // - The thread that made the pool stays: workers are killed when it ends, even by SIGKILL.
 //
-// Workers are in the supervisor's process group and ignore SIGINT, so at Ctrl-C the supervisor decides;
-// SIGTERM and Ctrl-Z to the group reach them. Standard input is empty; what they write to standard output and
-// error comes back with the job. Programs are to be started by run_program(), whose programs end with the
+// Workers are in the supervisor's process group and ignore SIGINT, SIGTERM and SIGHUP, which are for the
+// supervisor to decide on; Ctrl-Z reaches them.Standard input is empty; what they write to standard output
+// and error comes back with the job. Programs are to be started by run_program(), whose programs end with the
 // worker; processes a job starts in other ways are not looked after.
 //
 // The timeout is of the wall clock, less the time waited for a blob that another worker makes. The memory

@@ -50,15 +50,12 @@ std::optional<CubeMap> read_cube_map(const std::string& one_face, ImageSource& i
       slash == std::string::npos ? one_face : one_face.substr(0, std::max<std::size_t>(slash, 1));
   std::array<std::filesystem::path, 6> files;
   std::error_code error;
-  std::filesystem::directory_iterator entries(folder, error);
+  // In the order of their names, so that a message does not depend on the file system.
+  const std::vector<std::filesystem::path> found = images.list(folder, error);
   if (error) {
     problem = fmt::format("cannot read the folder '{}': {}", folder.string(), error.message());
     return std::nullopt;
   }
-  // In the order of their names, so that a message does not depend on the file system.
-  std::vector<std::filesystem::path> found;
-  for (const auto& entry : entries) found.push_back(entry.path());
-  std::sort(found.begin(), found.end());
   for (const auto& path : found) {
     const auto face = face_of(path.filename().string());
     if (!face) continue;

@@ -20,7 +20,17 @@ TEST_CASE("a file's hash is that of its content") {
 TEST_CASE("a file that is not there has no hash") {
   const TemporaryFolder folder;
   CHECK(!file_hash(folder / "none"));
-  CHECK(!file_hash(folder.path()));
+}
+
+TEST_CASE("a folder's hash is that of the names in it") {
+  const TemporaryFolder folder;
+  const auto empty = file_hash(folder.path());
+  CHECK(empty);
+  write_text(folder / "a", "1");
+  const auto one = file_hash(folder.path());
+  CHECK(one != empty);
+  write_text(folder / "a", "2");
+  CHECK(file_hash(folder.path()) == one);
 }
 
 TEST_CASE("a file is hashed once") {

@@ -194,4 +194,105 @@ TEST_CASE("where only the solution has changed nothing is drawn, but compared") 
   CHECK(std::filesystem::last_write_time(batch / "out/a.png") == drawn);
 }
 
+TEST_CASE("a heat map that cannot be written does not hide the verdict") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray", sphere);
+  REQUIRE(batch.run("scenes -o sol -w 40").status == 0);
+  batch.add_scene("a.ray", box);
+  std::filesystem::create_directories(batch / "out/a.heat.png/x");
+  for (int round = 0; round < 2; ++round) {
+    const Outcome outcome = batch.run("scenes -o out -w 40 --solutions sol");
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.errors,
+               Catch::Contains("trace: error: cannot write 'out/a.heat.png': is a directory\n"));
+    CHECK(batch.verdict("a.ray") == "beyond");
+  }
+}
+
+TEST_CASE("a face of the cube map that appears later is noticed") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  std::filesystem::create_directories(batch / "sky");
+  for (const char* face : {"posx", "negx", "posy", "posz", "negz"})
+    write_image(batch / (std::string("sky/") + face + ".png"), {1, 1, {10, 20, 30}});
+  const std::string command = "scenes -o out -w 20 -c sky/posx.png";
+  CHECK_THAT(batch.run(command).errors, Catch::Contains("no cube map: the folder 'sky' has no negy face"));
+  CHECK(batch.run(command).errors.empty());
+  write_image(batch / "sky/negy.png", {1, 1, {10, 20, 30}});
+  CHECK_THAT(batch.run(command).errors, Catch::Matches(R"(\[1/1\] a.ray: rendered, [0-9]+ ms\n)"));
+}
+
+TEST_CASE("comparing does not count against a scene's limits") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  REQUIRE(batch.run("scenes -o sol -w 1500").status == 0);
+  REQUIRE(batch.run("scenes -o out -w 1500").status == 0);
+  CHECK(batch.run("scenes -o out -w 1500 --solutions sol --timeout 0.001 --memory 1").status == 0);
+  CHECK(batch.verdict("a.ray") == "identical");
+}
+
+TEST_CASE("a batch does not write over its solutions or textures") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray", "sphere { material = { diffuse = map(\"a.png\"); } }");
+  write_image(batch / "scenes/a.png", {1, 1, {10, 20, 30}});
+  const Outcome texture = batch.run("scenes -o scenes -w 20");
+  CHECK(texture.status == 3);
+  CHECK_THAT(texture.errors,
+             Catch::Contains("scenes/a.ray: error: its picture would replace 'scenes/a.png', which "
+                             "the scene uses\n"));
+  const Outcome solution = batch.run("scenes -o scenes -w 20 --solutions scenes");
+  CHECK(solution.status == 4);
+  CHECK(solution.errors ==
+        "trace: error: the picture of 'a.ray' would replace its solution 'scenes/a.png'\n");
+}
+
+TEST_CASE("solutions of which none has the name of a scene are refused") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  std::filesystem::create_directories(batch / "sol");
+  const Outcome outcome = batch.run("scenes -o out -w 20 --solutions sol");
+  CHECK(outcome.status == 4);
+  CHECK(outcome.errors == "trace: error: no picture in 'sol' has the name of a scene\n");
+}
+
+TEST_CASE("two scenes that would be drawn to one picture are refused") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  batch.add_scene("a.heat.ray");
+  REQUIRE(batch.run("scenes -o sol -w 20").status == 0);
+  const Outcome outcome = batch.run("scenes -o out -w 20 --solutions sol");
+  CHECK(outcome.status == 4);
+  CHECK(outcome.errors == "trace: error: 'a.heat.ray' and 'a.ray' would both be drawn to 'out/a.heat.png'\n");
+}
+
+TEST_CASE("a batch whose messages nobody can see is done all the same") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  CHECK(batch.run("scenes -o out -w 20 2>/dev/full >/dev/null").status == 0);
+  CHECK(batch.results("out").at("results").size() == 1);
+}
+
+TEST_CASE("results that cannot be written are told before any work is done") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  const Outcome outcome = batch.run("scenes -o out -w 20 --csv none/x.csv");
+  CHECK(outcome.status == 3);
+  CHECK(outcome.errors == "trace: error: cannot write 'none/x.csv': no such file or directory\n");
+  CHECK(!std::filesystem::exists(batch / "out/a.png"));
+}
+
+TEST_CASE("a journal of another kind does no harm") {
+  const BatchFolder batch;
+  batch.add_scene("a.ray");
+  std::filesystem::create_directories(batch / "out");
+  write_text(batch / "out/results.jsonl", "{\"scene\":\"a.ray\",\"renderer\":\"trace\",\"seconds\":null}\n");
+  CHECK(batch.run("scenes -o out -w 20").status == 0);
+}
+
+TEST_CASE("control characters in names do not reach the terminal") {
+  const BatchFolder batch;
+  batch.add_scene("a\x1b[31m.ray");
+  CHECK_THAT(batch.run("scenes -o out -w 20").errors, Catch::StartsWith("[1/1] a\\x1b[31m.ray: rendered"));
+}
+
 }  // namespace trace::test

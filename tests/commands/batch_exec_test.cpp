@@ -112,4 +112,28 @@ TEST_CASE("file names with blanks and quotes reach the program whole") {
   CHECK(std::filesystem::exists(batch / "my out/x/it's a \"scene\".png"));
 }
 
+TEST_CASE("a link in place of a picture is none") {
+  const Course course;
+  CHECK(course.grade("ln -s \"$PWD/sol/a.png\" \"$2\"").status == 3);
+  CHECK(course.outcome("a.ray") == "bad-picture");
+}
+
+TEST_CASE("an edited script behind its interpreter is run again") {
+  const Course course;
+  const std::string command = "scenes -o out -w 40 --solutions sol --exec 'sh student {scene} {out}'";
+  write_text(course / "student", Course::draw());
+  REQUIRE(course.run(command).status == 0);
+  REQUIRE(course.run(command).errors.empty());
+  write_text(course / "student", "exit 3");
+  CHECK(course.run(command).status == 3);
+}
+
+TEST_CASE("what a killed batch's programs left is cleared away by the next") {
+  const Course course;
+  std::filesystem::create_directories(course / "out/student/.trace-AbCdEf");
+  write_text(course / "out/student/.trace-AbCdEf/a.png", "half");
+  REQUIRE(course.grade(Course::draw()).status == 0);
+  CHECK(course.names("out/student") == std::vector<std::string>{"a.png"});
+}
+
 }  // namespace trace::test

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "image/image.hpp"
+#include "report/plain_text.hpp"
 
 namespace trace {
 namespace {
@@ -41,6 +42,25 @@ void TextOutput::write(std::string_view text) {
 void write_standard_output(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw ImageError(fmt::format("cannot write standard output: {}", std::strerror(errno)));
+}
+
+void print_errors(std::string_view text) {
+  const std::string shown = terminal_text(text);
+  std::fwrite(shown.data(), 1, shown.size(), stderr);
+  std::fflush(stderr);
+}
+
+std::string terminal_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return valid_utf8(result);
 }
 
 }  // namespace trace

@@ -29,4 +29,11 @@ class TextOutput {
 // All of it, at once. Throws ImageError.
 void write_standard_output(std::string_view text);
 
+// To standard error, where failing to is nothing to stop for. Control characters other than line ends and
+// tabs, and what is not UTF-8, become visible: \x1b.
+void print_errors(std::string_view text);
+
+// The same as text, for names and the output of programs.
+std::string terminal_text(std::string_view text);
+
 }  // namespace trace

@@ -72,7 +72,7 @@ void add_how(CLI::App& app, BatchArguments& a) {
       ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str()
       ->type_name("S");
-  app.add_option("--memory", a.memory, "MiB for one scene (default: a fair share of three quarters)")
+  app.add_option("--memory", a.memory, "MiB for one scene (default: an equal share of 3/4 of the machine)")
       ->check(CLI::Range(1.0, 1e6))
       ->type_name("MIB");
   app.add_option(
@@ -121,10 +121,17 @@ std::optional<int> parse_batch_arguments(int argc, const char* const* argv, Batc
   }
   arguments.options.depth = std::max(arguments.options.depth, 0);
   if (limits.given()) arguments.tolerance = limits.tolerance();
-  if (limits.given() && !arguments.tolerances.empty()) {
-    fmt::print(stderr, "trace: error: give tolerances on the command line or by --tolerances, not both\n");
+  const auto refuse = [](const char* why) {
+    fmt::print(stderr, "trace: error: {}\nRun 'trace batch --help' for how to use it.\n", why);
     return batch_usage;
-  }
+  };
+  if (limits.given() && !arguments.tolerances.empty())
+    return refuse("give tolerances on the command line or by --tolerances, not both");
+  if (arguments.solutions.empty() && (limits.given() || !arguments.tolerances.empty()))
+    return refuse("tolerances need --solutions to compare with");
+  if (arguments.csv == "-" && arguments.junit == "-")
+    return refuse("only one of --csv and --junit can go to standard output");
+  if (arguments.report == "-") return refuse("--report needs a file, not standard output");
   return std::nullopt;
 }
 

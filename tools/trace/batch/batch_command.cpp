@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 
 #include "batch/summary.hpp"
 #include "batch/tables.hpp"
@@ -33,24 +34,45 @@ void make_folders(const std::vector<Job>& jobs, const BatchArguments& arguments)
     fs::create_directories(fs::path(arguments.report).parent_path());
 }
 
-void print_summary(const Record& summary, const BatchRun& run, bool compared) {
+std::string summary_text(const Record& summary, const BatchRun& run, std::size_t jobs, bool compared) {
   const Record& counts = summary.at("counts");
   const auto count = [&](const char* name) { return counts.at(name).get<std::size_t>(); };
-  fmt::print("{} scene{} in {:.1f} s: {} rendered, {} failed", count("scenes"),
-             count("scenes") == 1 ? "" : "s", summary.at("seconds").get<double>(), count("rendered"),
-             count("failed"));
-  if (run.resumed > 0) fmt::print(" ({} done before)", run.resumed);
-  fmt::print("\n");
-  if (run.signal != 0) fmt::print("interrupted; the same command goes on from here\n");
-  if (!compared) return;
+  std::string text = fmt::format("{} scene{} in {:.1f} s: {} rendered, {} failed", count("scenes"),
+                                 count("scenes") == 1 ? "" : "s", summary.at("seconds").get<double>(),
+                                 count("rendered"), count("failed"));
+  if (run.resumed > 0) text += fmt::format(" ({} done before)", run.resumed);
+  text += '\n';
+  if (run.signal != 0)
+    text +=
+        fmt::format("interrupted, {} left; the same command goes on from here\n", jobs - run.records.size());
   std::string line;
   for (const auto& [verdict, number] : counts.items()) {
     if (verdict == "scenes" || verdict == "rendered" || verdict == "failed" || number == 0) continue;
-    std::string words = verdict == "not_compared" ? "without a solution" : verdict;
+    const std::string words = verdict == "not_compared" ? "without a solution" : verdict;
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", number.get<std::size_t>(), words);
   }
-  if (!line.empty()) fmt::print("{}\n", line);
+  if (compared && !line.empty()) text += line + "\n";
+  return text;
 }
+
+// Everything that the results go to, opened before there are any.
+struct Outputs {
+  TextOutput results, csv, junit;
+
+  explicit Outputs(const BatchArguments& arguments)
+      : results((fs::path(arguments.output) / "results.json").string()),
+        csv(arguments.csv),
+        junit(arguments.junit) {
+    const TextOutput report_can_be_written(arguments.report);
+  }
+
+  void write(const Record& report, const BatchArguments& arguments) {
+    results.write(to_text(report, 1) + "\n");
+    if (csv.wanted()) csv.write(batch_csv(report));
+    if (junit.wanted()) junit.write(batch_junit(report));
+    if (!arguments.report.empty()) write_html_report(report, arguments.report, {!arguments.link_pictures});
+  }
+};
 
 int run(const BatchArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
@@ -60,39 +82,36 @@ int run(const BatchArguments& arguments) {
       fs::absolute(arguments.folder / fs::path(".")).lexically_normal().parent_path().filename().string();
   info.command = arguments.command;
 
+  const SignalWatch signals;
+  std::signal(SIGPIPE, SIG_IGN);  // whoever watched has gone: the results are still wanted
   BatchPlan plan = plan_batch(arguments);
-  if (!arguments.quiet) fmt::print(stderr, "{}", plan.warnings);
+  if (!arguments.quiet || plan.incomplete) print_errors(plan.warnings);
   for (Job& job : plan.jobs) {
     if (job.limits.memory_bytes == 0) job.limits.memory_bytes = fair_memory(arguments.workers);
   }
   for (const Renderer& renderer : plan.renderers) info.renderers.push_back(renderer.name);
   if (plan.jobs.empty()) {
-    fmt::print(stderr, "trace: error: no scenes in '{}'\n", arguments.folder);
-    return batch_usage;
+    print_errors(fmt::format("trace: error: no scenes in '{}'\n", arguments.folder));
+    return plan.incomplete ? batch_failed : batch_usage;
   }
   make_folders(plan.jobs, arguments);
-  const std::string results = (fs::path(arguments.output) / "results.json").string();
-  if (arguments.fresh) fs::remove(fs::path(arguments.output) / "results.jsonl");
-
   BatchRun done;
+  Journal journal(fs::path(arguments.output) / "results.jsonl", arguments.fresh);
+  Outputs outputs(arguments);
   {
-    Journal journal(fs::path(arguments.output) / "results.jsonl");
     BatchProgress progress(BatchProgress::Style::of_standard_error(arguments.quiet),
                            plan.renderers.size() > 1);
-    done = run_batch(plan.jobs, arguments.workers, journal, progress);
+    done = run_batch(plan.jobs, arguments.workers, journal, signals, progress);
   }
   info.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const Record report = summary(info, done);
-  TextOutput(results).write(report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  if (!arguments.csv.empty()) TextOutput(arguments.csv).write(batch_csv(report));
-  if (!arguments.junit.empty()) TextOutput(arguments.junit).write(batch_junit(report));
-  if (!arguments.report.empty()) write_html_report(report, arguments.report, {!arguments.link_pictures});
-  if (!arguments.quiet) {
-    print_summary(report, done, !arguments.solutions.empty());
-    if (!arguments.report.empty()) fmt::print("{}\n", arguments.report);
+  outputs.write(report, arguments);
+  if (!arguments.quiet && arguments.csv != "-" && arguments.junit != "-") {
+    write_standard_output(summary_text(report, done, plan.jobs.size(), !arguments.solutions.empty()));
+    if (!arguments.report.empty()) write_standard_output(arguments.report + "\n");
   }
   if (done.signal != 0) return 128 + done.signal;
-  return batch_exit_status(report);
+  return plan.incomplete ? batch_failed : batch_exit_status(report);
 }
 
 }  // namespace
@@ -103,14 +122,12 @@ int batch_command(int argc, const char* const* argv) {
   try {
     return run(arguments);
   } catch (const BatchError& e) {
-    fmt::print(stderr, "{}", e.what());
+    print_errors(e.what());
     return batch_usage;
-  } catch (const JournalError& e) {
-    fmt::print(stderr, "trace: error: {}\n", e.what());
   } catch (const fs::filesystem_error& e) {
-    fmt::print(stderr, "trace: error: cannot make '{}': {}\n", e.path1().string(), e.code().message());
-  } catch (const ImageError& e) {
-    fmt::print(stderr, "trace: error: {}\n", e.what());
+    print_errors(fmt::format("trace: error: cannot make '{}': {}\n", e.path1().string(), e.code().message()));
+  } catch (const std::exception& e) {
+    print_errors(fmt::format("trace: error: {}\n", e.what()));
   }
   return batch_failed;
 }

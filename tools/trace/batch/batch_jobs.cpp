@@ -8,6 +8,7 @@
 
 #include "batch/batch_file.hpp"
 #include "batch/foreign_renderer.hpp"
+#include "report/plain_text.hpp"
 #include "tools/trace/tolerances.hpp"
 
 namespace trace {
@@ -44,17 +45,6 @@ std::vector<Renderer> parse_renderers(const std::vector<std::string>& programs) 
     }
   }
   return renderers;
-}
-
-std::vector<std::string> list_scenes(const BatchArguments& arguments) {
-  if (!fs::is_directory(arguments.folder))
-    throw BatchError(fmt::format("trace: error: '{}' is not a folder\n", arguments.folder));
-  try {
-    return find_scenes(arguments.folder, arguments.filter);
-  } catch (const fs::filesystem_error& e) {
-    throw BatchError(fmt::format("trace: error: cannot read the folder '{}': {}\n", e.path1().string(),
-                                 e.code().message()));
-  }
 }
 
 // The batch.json files of the batch's folder and those below it, read when a scene there is met.
@@ -95,15 +85,45 @@ class BatchFiles {
   std::map<fs::path, std::optional<BatchFile>> files_;
 };
 
-// The solution of a scene by its name without extension; empty where there is none.
-fs::path find_solution(const fs::path& folder, const std::string& scene) {
-  std::error_code ignored;
-  for (const char* extension :
-       {".png", ".bmp", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".tga", ".ppm", ".gif", ".hdr"}) {
-    const fs::path file = (folder / scene).replace_extension(extension);
-    if (fs::exists(file, ignored)) return file;
+// The solutions by their names without extension.
+class Solutions {
+ public:
+  explicit Solutions(fs::path root) : root_(std::move(root)) {}
+
+  // Empty where there is none. Of several kinds of picture the first in the list below.
+  fs::path find(const std::string& scene) {
+    const fs::path name = (root_ / scene).replace_extension("");
+    const fs::path folder = name.parent_path();
+    auto entry = files_.find(folder);
+    if (entry == files_.end()) {
+      std::error_code ignored;
+      entry = files_.emplace(folder, FileImages().list(folder, ignored)).first;
+    }
+    for (const std::string_view wanted :
+         {".png", ".bmp", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".tga", ".ppm", ".gif", ".hdr"}) {
+      for (const fs::path& file : entry->second) {
+        std::string extension = file.extension().string();
+        for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (extension == wanted && file.stem() == name.filename()) return file;
+      }
+    }
+    return {};
   }
-  return {};
+
+ private:
+  fs::path root_;
+  std::map<fs::path, std::vector<fs::path>> files_;
+};
+
+// As names stand in results: what is not UTF-8 is written \\xff, so that no two names become one.
+std::string valid_utf8_or_escaped(const std::string& name) {
+  if (valid_utf8(name) == name) return name;
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x80 ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+  }
+  return result;
 }
 
 class Planner {
@@ -112,8 +132,11 @@ class Planner {
 
   BatchPlan plan() {
     plan_.renderers = parse_renderers(arguments_.programs);
-    if (!arguments_.solutions.empty() && !fs::is_directory(arguments_.solutions))
-      throw BatchError(fmt::format("trace: error: '{}' is not a folder\n", arguments_.solutions));
+    std::error_code ignored;
+    for (const std::string& folder : {arguments_.folder, arguments_.solutions}) {
+      if (!folder.empty() && !fs::is_directory(folder, ignored))
+        throw BatchError(fmt::format("trace: error: '{}' is not a folder\n", folder));
+    }
     common_.depth = arguments_.options.depth;
     common_.width = arguments_.options.width;
     if (!arguments_.cube_map.empty()) common_.cube_map = arguments_.cube_map;
@@ -126,9 +149,15 @@ class Planner {
       common_.settings.push_back(file);
     }
     BatchFiles files(arguments_.folder, plan_.warnings);
-    for (const std::string& scene : list_scenes(arguments_)) {
+    const SceneList list = find_scenes(arguments_.folder, arguments_.filter);
+    for (const std::string& problem : list.problems) {
+      plan_.warnings += fmt::format("trace: error: {}\n", problem);
+      plan_.incomplete = true;
+    }
+    for (const std::string& scene : list.scenes) {
       if (const auto options = files.of(scene)) add(scene, *options);
     }
+    check_solutions();
     if (!files.valid()) throw BatchError(plan_.warnings);
     set_tolerances();
     return std::move(plan_);
@@ -139,7 +168,7 @@ class Planner {
     SceneOptions options = common_;
     options.add(own);
     Job job;
-    job.name = scene;
+    job.name = valid_utf8_or_escaped(scene);
     job.scene = (fs::path(arguments_.folder) / scene).string();
     job.options.depth = *options.depth;
     job.options.width = *options.width;
@@ -147,7 +176,7 @@ class Planner {
     job.cube_map = options.cube_map.value_or("");
     job.limits = {std::chrono::duration<double>(*options.timeout),
                   static_cast<std::uint64_t>(options.memory.value_or(0) * (1 << 20))};
-    if (!arguments_.solutions.empty()) job.solution = find_solution(arguments_.solutions, scene);
+    if (!arguments_.solutions.empty()) job.solution = solutions_.find(scene);
     for (const Renderer& renderer : plan_.renderers) {
       job.renderer = renderer;
       fs::path place = arguments_.output;
@@ -157,6 +186,14 @@ class Planner {
       check_unique(job);
       plan_.jobs.push_back(job);
     }
+  }
+
+  void check_solutions() const {
+    const auto has_one = [](const Job& job) { return !job.solution.empty(); };
+    if (!arguments_.solutions.empty() && !plan_.jobs.empty() &&
+        std::none_of(plan_.jobs.begin(), plan_.jobs.end(), has_one))
+      throw BatchError(
+          fmt::format("trace: error: no picture in '{}' has the name of a scene\n", arguments_.solutions));
   }
 
   void set_tolerances() {
@@ -171,14 +208,22 @@ class Planner {
   }
 
   void check_unique(const Job& job) {
-    const auto [other, is_new] = pictures_.emplace(job.picture, job.name);
-    if (!is_new)
-      throw BatchError(fmt::format("trace: error: '{}' and '{}' would both be drawn to '{}'\n", other->second,
-                                   job.name, job.picture.string()));
+    for (const fs::path& file : {job.picture, job.heat_map}) {
+      if (file.empty()) continue;
+      const auto [other, is_new] = pictures_.emplace(file, job.name);
+      if (!is_new)
+        throw BatchError(fmt::format("trace: error: '{}' and '{}' would both be drawn to '{}'\n",
+                                     other->second, job.name, file.string()));
+    }
+    std::error_code ignored;
+    if (!job.solution.empty() && fs::equivalent(job.solution, job.picture, ignored))
+      throw BatchError(fmt::format("trace: error: the picture of '{}' would replace its solution '{}'\n",
+                                   job.name, job.solution.string()));
   }
 
   const BatchArguments& arguments_;
   SceneOptions common_;
+  Solutions solutions_{arguments_.solutions};
   BatchPlan plan_;
   std::map<fs::path, std::string> pictures_;
 };

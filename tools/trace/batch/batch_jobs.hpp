@@ -16,8 +16,9 @@ struct BatchError : std::runtime_error {
 
 struct BatchPlan {
   std::vector<Renderer> renderers;
-  std::vector<Job> jobs;  // scene by scene, in order of their names
-  std::string warnings;
+  std::vector<Job> jobs;    // scene by scene, in order of their names
+  std::string warnings;     // and errors of what is passed over
+  bool incomplete = false;  // something was
 };
 
 // Reads settings, batch.json files and tolerances. Throws BatchError.

@@ -4,11 +4,23 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "batch/run_job.hpp"
+#include "tools/trace/text_output.hpp"
 
 namespace trace {
+
+namespace {
+
+// Line ends in a name would break the line that shows it.
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
 
 using namespace std::chrono_literals;
 
@@ -30,31 +42,32 @@ BatchProgress::~BatchProgress() {
   clear_line();
 }
 
-void BatchProgress::clear_line() {
-  if (!line_shown_) return;
-  fmt::print(stderr, "\r\033[K");
+// Nobody may be there to see it.
+void BatchProgress::show(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
+}
+
+void BatchProgress::clear_line() {
+  if (line_shown_) show("\r\033[K");
   line_shown_ = false;
 }
 
 void BatchProgress::finished(const Record& record, const BatchStatus& status) {
   const bool failure = is_failure(record);
-  const std::string message = record.at("message").get<std::string>();
+  std::string message = record.at("message").get<std::string>();
+  if (!message.empty() && message.back() != '\n') message += '\n';
   const bool not_rendered = record.at("outcome") != outcome::rendered;
-  const bool show = style_.terminal ? failure : !style_.quiet;
-  if (!show && !(not_rendered && !message.empty())) return;
-  clear_line();
-  if (show && !style_.quiet) {
-    const std::string line = result_line(record, several_renderers_);
-    const std::string count = style_.terminal ? "" : fmt::format("[{}/{}] ", status.done, status.total);
-    if (failure && style_.color) {
-      fmt::print(stderr, "{}\033[31m{}\033[0m\n", count, line);
-    } else {
-      fmt::print(stderr, "{}{}\n", count, line);
-    }
+  std::string text;
+  if (!style_.quiet && (failure || !style_.terminal)) {
+    const std::string line = terminal_text(result_line(record, several_renderers_));
+    if (!style_.terminal) text += fmt::format("[{}/{}] ", status.done, status.total);
+    text += failure && style_.color ? fmt::format("\033[31m{}\033[0m\n", line) : line + "\n";
   }
-  if (not_rendered || !style_.quiet) fmt::print(stderr, "{}", message);
-  std::fflush(stderr);
+  if (not_rendered || !style_.quiet) text += terminal_text(message);
+  if (text.empty()) return;
+  clear_line();
+  show(text);
 }
 
 void BatchProgress::tick(const BatchStatus& status) {
@@ -62,13 +75,12 @@ void BatchProgress::tick(const BatchStatus& status) {
   const auto now = std::chrono::steady_clock::now();
   if (line_shown_ && now - last_tick_ < 100ms) return;
   last_tick_ = now;
-  fmt::print(stderr, "\r\033[K{}", status_line(status, style_.columns - 1));
-  std::fflush(stderr);
+  show("\r\033[K" + status_line(status, style_.columns - 1));
   line_shown_ = true;
 }
 
 std::string result_line(const Record& record, bool with_renderer) {
-  std::string name = record.at("scene").get<std::string>();
+  std::string name = one_line(record.at("scene").get<std::string>());
   if (with_renderer) name += fmt::format(" ({})", record.at("renderer").get<std::string>());
   const Record& outcome = record.at("outcome");
   const double seconds = record.at("seconds").get<double>();
@@ -94,7 +106,10 @@ std::string status_line(const BatchStatus& status, int columns) {
     line += fmt::format(" {} failure{},", status.failures, status.failures == 1 ? "" : "s");
   if (line.back() == ',') line.pop_back();
   if (!status.running.empty()) line += fmt::format(": {}", fmt::join(status.running, " "));
-  if (static_cast<int>(line.size()) > columns) line.resize(static_cast<std::size_t>(std::max(columns, 0)));
+  line = terminal_text(one_line(line));
+  std::size_t size = std::min(line.size(), static_cast<std::size_t>(std::max(columns, 0)));
+  while (size < line.size() && size > 0 && (static_cast<unsigned char>(line[size]) & 0xC0) == 0x80) --size;
+  line.resize(size);  // not within a character
   return line;
 }
 

@@ -28,6 +28,7 @@ class BatchProgress : public BatchObserver {
   void tick(const BatchStatus& status) override;
 
  private:
+  void show(const std::string& text);
   void clear_line();
 
   Style style_;
