@@ -89,7 +89,7 @@ EdgeTolerant edge_tolerant(const Raster& reference, const Raster& test, const Pi
   const auto channels = static_cast<std::size_t>(reference.channels);
   ThreeRows reference_rows(reference, differences.unit), test_rows(test, differences.unit);
   std::vector<float> of_test(width), of_reference(width), scratch(width);
-  const double per_unit = differences.unit.levels(1), one = (1 + rounding_slack) / per_unit;
+  const double per_unit = differences.unit.levels(1), one = with_slack(1) / per_unit;
   double square = 0, largest = 0;  // in units
   std::size_t pixels = 0, over_one = 0;
   for (int y = 0; y < reference.height; ++y) {

@@ -31,9 +31,10 @@ Loaded load(const Path& file) {
   }
 }
 
+// A link that leads nowhere, or a file in a folder that may not be searched, is there but cannot be read.
 bool present(const Path& file) {
   std::error_code ignored;
-  return std::filesystem::exists(file, ignored);
+  return std::filesystem::symlink_status(file, ignored).type() != std::filesystem::file_type::not_found;
 }
 
 class Judge {

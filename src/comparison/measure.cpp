@@ -67,8 +67,9 @@ Measurements measure(const Raster& reference, const Raster& test, const MeasureO
 
   std::optional<Ssim> ssim;
   std::optional<Flip> flip;
-  if (options.ssim) ssim.emplace(reference, test, differences.levels);
-  if (options.flip) flip.emplace(reference, test, differences.levels);
+  const bool finite = result.not_finite.reference + result.not_finite.test == 0;
+  if (options.ssim && finite) ssim.emplace(reference, test, differences.levels);
+  if (options.flip && finite) flip.emplace(reference, test, differences.levels);
   const std::size_t flip_parts = flip ? flip->parts() : 0, ssim_parts = ssim ? ssim->parts() : 0;
   struct Scratch {
     Flip::Scratch flip;

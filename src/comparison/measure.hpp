@@ -15,7 +15,7 @@ struct MeasureOptions {
 };
 
 // Needs equal width, height and channels. Samples that are not finite in either picture are counted and left
-// out of every other figure.
+// out of every other figure; SSIM and FLIP, which are of whole neighbourhoods, are then absent.
 Measurements measure(const Raster& reference, const Raster& test, const MeasureOptions& options = {});
 
 }  // namespace trace

@@ -69,7 +69,8 @@ struct Measurements {
   double threshold = 1;          // levels, of the next
   double percent_over_threshold = 0;
   Percentiles percentiles;
-  std::optional<double> ssim;  // mean; 1 is equal. Absent where it was not asked for or cannot be had
+  // Absent where they were not asked for, and where a sample is not finite.
+  std::optional<double> ssim;  // mean; 1 is equal
   std::optional<double> flip;  // mean; 0 is equal
   Foreground foreground;
   EdgeTolerant edge_tolerant;

@@ -16,8 +16,13 @@ inline constexpr float left_out = -1;
 // Rounding of floating-point samples must not decide whether a pixel is off by "more than one level".
 inline constexpr double rounding_slack = 1e-4;  // levels
 
+// A limit of 0 is for what is identical: it has no slack.
+inline double with_slack(double levels) {
+  return levels > 0 ? levels + rounding_slack : levels;
+}
+
 inline bool over(float difference, double levels) {
-  return difference > static_cast<float>(levels + rounding_slack);
+  return difference > static_cast<float>(with_slack(levels));
 }
 
 struct PixelDifferences {

@@ -72,7 +72,7 @@ std::string not_finite_reason(const NotFinite& found) {
 std::string tolerance_reason(const Tolerance& tolerance, const Measurements& measured) {
   Excesses excesses;
   excesses.at_most("RMSE", measured.error.root_mean_square, tolerance.rmse);
-  if (tolerance.max && measured.error.largest > *tolerance.max + rounding_slack)
+  if (tolerance.max && measured.error.largest > with_slack(*tolerance.max))
     excesses.at_most("largest difference", measured.error.largest, tolerance.max);
   excesses.pixels(measured.percent_over_threshold, measured.threshold, tolerance.pixels);
   if (measured.ssim) excesses.at_least("SSIM", *measured.ssim, tolerance.ssim);

@@ -104,6 +104,34 @@ TEST_CASE("a figure just beyond its limit is told with as many decimals as show 
   CHECK(Pair(gray(reference), gray(test)).judged(with(tolerance)).reason == "RMSE 0.06325 is over 0.0632");
 }
 
+TEST_CASE("a tolerance of 0 passes only what is identical, also in floating point") {
+  const Pair pair(exr_file(2, 1, {"Y"}, {0.5F, 0.5F}), exr_file(2, 1, {"Y"}, {0.5F, 0.5000001F}), ".exr");
+  const Tolerance none{{}, {}, {}, 1, {}, {}};
+  Tolerance max = none, pixels = none;
+  max.max = 0;
+  CHECK_THAT(pair.judged(with(max)).reason, Catch::Matches("largest difference 0\\.0000[0-9]+ is over 0"));
+  pixels.pixels = 0;
+  pixels.over = 0;
+  CHECK_THAT(pair.judged(with(pixels)).reason,
+             Catch::StartsWith("50 % of the pixels are off by more than 0"));
+  CHECK(judge(pair.reference, pair.reference, with(max)).verdict == Verdict::identical);
+  max.max = 0.001;
+  CHECK(pair.judged(with(max)).verdict == Verdict::within);
+}
+
+TEST_CASE("a link that leads nowhere is unreadable, not missing") {
+  const Pair pair(gray({1}), gray({1}));
+  std::filesystem::create_symlink("nowhere.png", pair.folder / "broken.png");
+  std::filesystem::create_symlink("loop.png", pair.folder / "loop.png");
+  for (const char* name : {"broken.png", "loop.png"}) {
+    const auto link = pair.folder / name;
+    const Judgement judgement = judge(pair.reference, link);
+    CHECK(judgement.verdict == Verdict::unreadable);
+    CHECK_THAT(judgement.reason, Catch::StartsWith("cannot read the test picture " + link.string() + ": "));
+    CHECK(judge(link, pair.test).verdict == Verdict::unreadable);
+  }
+}
+
 TEST_CASE("different sizes are never compared") {
   const Judgement judgement = Pair(gray({1, 2}), gray({1, 2, 3})).judged();
   CHECK(judgement.verdict == Verdict::size_differs);
