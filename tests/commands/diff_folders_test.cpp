@@ -33,7 +33,43 @@ struct Folders : DiffDesk {
   }
 };
 
+// Folders in one another below `top` until the last's path is too long to be read, with a picture in a
+// readable one. (Permissions would not stop a superuser.)
+void make_unreadable_folder(const DiffDesk& desk, const std::string& top) {
+  const std::string name(200, 'n');
+  std::filesystem::path half;
+  for (int i = 0; i < 11; ++i) half /= name;
+  std::filesystem::create_directories(desk.folder / top / half);
+  std::filesystem::create_directories(desk.folder / "half" / half);
+  std::filesystem::rename(desk.folder / "half", desk.folder / top / half / "half");
+}
+
 }  // namespace
+
+TEST_CASE("a subfolder that cannot be read is told by name: status 3, and the rest is compared") {
+  const DiffDesk desk;
+  desk.put("A/same.png", 7);
+  desk.put("B/same.png", 7);
+  make_unreadable_folder(desk, "B/deep");
+  const Outcome outcome = desk.diff("A B");
+  CHECK(outcome.status == 3);
+  CHECK_THAT(outcome.errors, Catch::StartsWith("trace: error: cannot read 'B/deep/nnn") &&
+                                 Catch::EndsWith("': File name too long\n"));
+  CHECK(outcome.output == "identical  same\n1 picture: 1 identical\n");
+}
+
+TEST_CASE("links that lead nowhere or in a circle are unreadable, and the rest is compared") {
+  const DiffDesk desk;
+  for (const std::string name : {"broken", "loop", "same"}) desk.put("A/" + name + ".png", 7);
+  desk.put("B/same.png", 7);
+  std::filesystem::create_symlink("nowhere.png", desk / "B/broken.png");
+  std::filesystem::create_symlink("loop.png", desk / "B/loop.png");
+  const Outcome outcome = desk.diff("A B");
+  CHECK(outcome.status == 3);
+  CHECK_THAT(outcome.output, Catch::StartsWith("unreadable  broken  ") &&
+                                 Catch::Contains("\nunreadable  loop    ") &&
+                                 Catch::EndsWith("3 pictures: 1 identical, 2 unreadable\n"));
+}
 
 TEST_CASE("folders are listed by name and counted, missing and extra pictures too: status 3") {
   const Folders desk;

@@ -44,6 +44,41 @@ TEST_CASE("a command line that cannot be used: status 4") {
   CHECK(error("a.png a.png -o a.png") == "the heat map would replace 'a.png', which is to be compared");
 }
 
+TEST_CASE("no result takes the place of what is compared, of the tolerances or of another result: status 4") {
+  const DiffDesk desk;
+  desk.put("a.png", 0);
+  desk.put("b.png", 9);
+  desk.put("A/x.png", 0);
+  desk.put("B/x.png", 0);
+  std::filesystem::create_symlink("a.png", desk / "link.png");
+  std::filesystem::create_symlink("B", desk / "link");
+  write_text(desk / "A/tolerances.json", "{}");
+  const std::string a = read_text(desk / "a.png"), b = read_text(desk / "B/x.png");
+  const auto error = [&](const std::string& arguments) {
+    const Outcome outcome = desk.diff(arguments);
+    CHECK(outcome.status == 4);
+    return outcome.errors.substr(0, outcome.errors.find('\n'));
+  };
+  for (const std::string option : {"--json", "--csv", "--junit"}) {
+    CHECK(error("a.png b.png -q " + option + " a.png") ==
+          "trace: error: " + option + " would replace 'a.png', which is to be compared");
+    CHECK(error("b.png a.png " + option + " A/../link.png") ==
+          "trace: error: " + option + " would replace 'A/../link.png', which is to be compared");
+    CHECK(error("A B " + option + " link/x.png") ==
+          "trace: error: " + option + " would replace 'link/x.png', which is to be compared");
+    CHECK(error("A B " + option + " A/tolerances.json") ==
+          "trace: error: " + option + " would replace 'A/tolerances.json', which holds the tolerances");
+    CHECK(error("a.png b.png -o new.png " + option + " A/../new.png") ==
+          "trace: error: " + option + " would replace 'A/../new.png', which is the heat map's");
+  }
+  CHECK(error("A B --json r --junit ./r") == "trace: error: --junit would replace './r', which is --json's");
+  CHECK(read_text(desk / "a.png") == a);
+  CHECK(read_text(desk / "B/x.png") == b);
+  CHECK(read_text(desk / "A/tolerances.json") == "{}");
+  CHECK(!desk.has("new.png"));
+  CHECK(desk.diff("A B --json /dev/null --csv /dev/null").status == 0);
+}
+
 TEST_CASE("a picture and a folder are not compared; the picture in it may be meant") {
   const DiffDesk desk;
   desk.put("a.png", 0);

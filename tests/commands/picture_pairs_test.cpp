@@ -1,6 +1,7 @@
 // Which files of two folders are compared with one another.
 #include "tools/trace/diff/picture_pairs.hpp"
 
+#include <sys/stat.h>
 #include <catch2/catch.hpp>
 
 #include "tests/support/temporary_folder.hpp"
@@ -25,7 +26,7 @@ struct Folders {
   // "name: file in A - file in B"
   std::vector<std::string> pairs() const {
     std::vector<std::string> result;
-    for (const PicturePair& pair : pair_pictures(folder / "A", folder / "B")) {
+    for (const PicturePair& pair : pair_pictures(folder / "A", folder / "B").pairs) {
       const auto file = [](const std::optional<fs::path>& path) {
         return path ? path->filename().string() : std::string("none");
       };
@@ -56,7 +57,7 @@ TEST_CASE("of several pictures of one name those of the same extension belong to
 TEST_CASE("which of two others belongs to a picture is not guessed") {
   const Folders folders({"a.png"}, {"a.bmp", "a.exr"});
   CHECK(folders.pairs() == Lines{"a.png: a.png - none", "a.bmp: none - a.bmp", "a.exr: none - a.exr"});
-  const auto pairs = pair_pictures(folders.folder / "A", folders.folder / "B");
+  const auto pairs = pair_pictures(folders.folder / "A", folders.folder / "B").pairs;
   CHECK(pairs[0].note == "cannot tell which belongs to it: a.bmp or a.exr");
   CHECK(pairs[0].scene == "a");
   CHECK(pairs[1].scene == "a");
@@ -70,6 +71,17 @@ TEST_CASE("hidden files, heat maps and files of other kinds are not compared") {
 
 TEST_CASE("a folder whose name ends like a picture's is a folder") {
   CHECK(Folders({"a.png/b.png"}, {"a.png/b.png"}).pairs() == Lines{"a.png/b: b.png - b.png"});
+}
+
+TEST_CASE("a link that leads nowhere or in a circle is a picture; a pipe and a link to a folder are none") {
+  const Folders folders({"a.png", "b.png", "sub/c.png"}, {});
+  const fs::path test = folders.folder / "B";
+  fs::create_symlink("nowhere.png", test / "a.png");
+  fs::create_symlink("b.png", test / "b.png");
+  fs::create_directory_symlink(folders.folder / "A/sub", test / "sub");
+  fs::create_directory_symlink(folders.folder / "A/sub", test / "d.png");
+  REQUIRE(mkfifo((test / "e.png").c_str(), 0600) == 0);
+  CHECK(folders.pairs() == Lines{"a: a.png - a.png", "b: b.png - b.png", "sub/c: c.png - none"});
 }
 
 }  // namespace trace::test

@@ -13,6 +13,7 @@
 #include "tools/trace/diff/compare_pairs.hpp"
 #include "tools/trace/diff/diff_arguments.hpp"
 #include "tools/trace/diff/diff_text.hpp"
+#include "tools/trace/diff/output_names.hpp"
 #include "tools/trace/diff/tolerance_update.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/text_output.hpp"
@@ -67,13 +68,18 @@ struct Comparison {
   bool folders = false;
   std::vector<PicturePair> pairs;
   DiffReport report;
-  std::string notes;  // for people, behind the result
+  std::string notes;    // for people, behind the result
+  bool unread = false;  // some folder could not be read, which has been said
 };
 
 void find_pairs(Comparison& comparison) {
   const DiffArguments& arguments = comparison.arguments;
   if (comparison.folders) {
-    comparison.pairs = pair_pictures(arguments.reference, arguments.test);
+    FolderPairs found = pair_pictures(arguments.reference, arguments.test);
+    for (const UnreadableFolder& unread : found.unreadable)
+      file_error(fmt::format("cannot read '{}': {}", unread.folder.string(), unread.reason));
+    comparison.unread = !found.unreadable.empty();
+    comparison.pairs = std::move(found.pairs);
     return;
   }
   const std::string scene = scene_of(arguments.reference, arguments.tolerances);
@@ -130,21 +136,7 @@ int compare(Comparison& comparison) {
   if (csv.wanted()) csv.write(diff_csv(comparison.report));
   if (junit.wanted()) junit.write(diff_junit(comparison.report));
   for (const std::string& failure : failures) file_error(failure);
-  return failures.empty() ? comparison.report.status() : diff_file;
-}
-
-// What is wrong with the names alone; 0 where nothing is.
-int check_names(const DiffArguments& arguments, bool folders) {
-  const std::string& heat = arguments.heat_map;
-  if (folders || heat.empty()) {
-    if (!folders && arguments.update && arguments.tolerances.empty())
-      return diff_usage_error("--update of two pictures needs --tolerances FILE");
-    return 0;
-  }
-  std::error_code ignored;
-  if (fs::equivalent(heat, arguments.reference, ignored) || fs::equivalent(heat, arguments.test, ignored))
-    return diff_usage_error(fmt::format("the heat map would replace '{}', which is to be compared", heat));
-  return 0;
+  return failures.empty() && !comparison.unread ? comparison.report.status() : diff_file;
 }
 
 // Two pictures of 512 x 512 with everything that is made of them take some 30 MB.
@@ -159,9 +151,12 @@ int run(const DiffArguments& arguments) {
     if (!exists(other)) return file_error(fmt::format("cannot read '{}': no such file", other));
     return mixed_kinds(arguments, reference_is_folder);
   }
-  if (const int status = check_names(arguments, folders)) return status;
+  if (!folders && arguments.update && arguments.tolerances.empty())
+    return diff_usage_error("--update of two pictures needs --tolerances FILE");
   Comparison comparison{arguments, folders, {}, {}, ""};
   find_pairs(comparison);
+  if (const std::string text = output_conflict(arguments, folders, comparison.pairs); !text.empty())
+    return diff_usage_error(text);
   if (comparison.pairs.empty()) {
     return file_error(
         fmt::format("there are no pictures in '{}' and '{}'", arguments.reference, arguments.test));

@@ -45,20 +45,62 @@ bool is_heat_map(const fs::path& file) {
   return lower_case(file.stem().extension().string()) == ".heat";
 }
 
-void collect(const fs::path& folder, std::vector<Found> Candidates::*side, CandidatesByName& all) {
-  for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
-       ++entry) {
-    const fs::path& file = entry->path();
-    if (is_hidden(file)) {
-      if (entry->is_directory()) entry.disable_recursion_pending();
-      continue;
-    }
-    if (!is_picture(file) || is_heat_map(file) || entry->is_directory()) continue;
-    fs::path name = file.lexically_relative(folder);
-    name.replace_extension();
-    (all[name.generic_string()].*side).push_back({lower_case(file.extension().string()), file});
-  }
+// What is neither a file nor leads to one may never end when it is read.
+bool is_device_or_pipe(const fs::directory_entry& entry) {
+  std::error_code ignored;
+  return entry.is_other(ignored);
 }
+
+// The pictures of one side.
+class Collection {
+ public:
+  Collection(const fs::path& root, std::vector<Found> Candidates::*side, CandidatesByName& all)
+      : root_(root), side_(side), all_(all) {
+    std::error_code failed;
+    for (pending_ = {root}; !pending_.empty();) {
+      const fs::path folder = std::move(pending_.back());
+      pending_.pop_back();
+      fs::directory_iterator entry(folder, failed);
+      if (failed && folder == root) throw fs::filesystem_error("cannot read", root, failed);
+      for (; !failed && entry != fs::directory_iterator(); entry.increment(failed)) visit(*entry);
+      if (failed) unreadable_.push_back({folder, failed.message()});
+    }
+    std::ranges::sort(unreadable_, {}, &UnreadableFolder::folder);
+  }
+
+  const std::vector<UnreadableFolder>& unreadable() const { return unreadable_; }
+
+  // The folder that may hold the picture and could not be read.
+  const UnreadableFolder* hiding(const std::string& name) const {
+    const auto holds = [&](const UnreadableFolder& unread) {
+      return unread.folder == root_ ||
+             name.starts_with(unread.folder.lexically_relative(root_).generic_string() + "/");
+    };
+    const auto found = std::ranges::find_if(unreadable_, holds);
+    return found == unreadable_.end() ? nullptr : &*found;
+  }
+
+ private:
+  void visit(const fs::directory_entry& entry) {
+    const fs::path& file = entry.path();
+    std::error_code ignored;
+    if (is_hidden(file)) return;
+    if (entry.is_directory(ignored)) {
+      if (!entry.is_symlink(ignored)) pending_.push_back(file);
+      return;
+    }
+    if (!is_picture(file) || is_heat_map(file) || is_device_or_pipe(entry)) return;
+    fs::path name = file.lexically_relative(root_);
+    name.replace_extension();
+    (all_[name.generic_string()].*side_).push_back({lower_case(file.extension().string()), file});
+  }
+
+  const fs::path& root_;
+  std::vector<Found> Candidates::*side_;
+  CandidatesByName& all_;
+  std::vector<fs::path> pending_;
+  std::vector<UnreadableFolder> unreadable_;
+};
 
 PicturePair matched(const Found& reference, const Found& test) {
   return {"", "", reference.file, test.file, ""};
@@ -100,17 +142,20 @@ std::vector<PicturePair> pairs_of(Candidates candidates) {
 
 }  // namespace
 
-std::vector<PicturePair> pair_pictures(const fs::path& reference, const fs::path& test) {
+FolderPairs pair_pictures(const fs::path& reference, const fs::path& test) {
   CandidatesByName all;
-  collect(reference, &Candidates::reference, all);
-  collect(test, &Candidates::test, all);
-  std::vector<PicturePair> result;
+  const Collection references(reference, &Candidates::reference, all), tests(test, &Candidates::test, all);
+  FolderPairs result{{}, references.unreadable()};
+  result.unreadable.insert(result.unreadable.end(), tests.unreadable().begin(), tests.unreadable().end());
   for (auto& [name, candidates] : all) {
     std::vector<PicturePair> pairs = pairs_of(std::move(candidates));
     for (PicturePair& pair : pairs) {
       pair.scene = pair.name = name;
       if (pairs.size() > 1) pair.name += (pair.reference ? *pair.reference : *pair.test).extension().string();
-      result.push_back(pair);
+      if (pair.note.empty() && !(pair.reference && pair.test))
+        if (const auto* unread = (pair.reference ? tests : references).hiding(name))
+          pair.note = fmt::format("cannot read '{}'", unread->folder.string());
+      result.pairs.push_back(pair);
     }
   }
   return result;

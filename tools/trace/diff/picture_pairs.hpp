@@ -6,7 +6,8 @@
 // pictures of one name are told apart by their extension.
 //
 // Pictures are told by extension. Skipped are hidden files and folders, heat maps (*.heat.png), files of
-// other kinds, and what a symbolic link to a folder leads to.
+// other kinds, devices and pipes, and what a symbolic link to a folder leads to. A symbolic link that leads
+// nowhere, or in a circle, is a picture: one that cannot be read.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +24,18 @@ struct PicturePair {
   std::string note;  // why there is no partner, where that is not simply that there is no file
 };
 
-// In the order of their names. Throws std::filesystem::filesystem_error where a folder cannot be read.
-std::vector<PicturePair> pair_pictures(const std::filesystem::path& reference,
-                                       const std::filesystem::path& test);
+// A folder below one of the two of which not all entries are known.
+struct UnreadableFolder {
+  std::filesystem::path folder;
+  std::string reason;
+};
+
+struct FolderPairs {
+  std::vector<PicturePair> pairs;            // in the order of their names
+  std::vector<UnreadableFolder> unreadable;  // those of the reference first
+};
+
+// Throws std::filesystem::filesystem_error where one of the two themselves cannot be read.
+FolderPairs pair_pictures(const std::filesystem::path& reference, const std::filesystem::path& test);
 
 }  // namespace trace
