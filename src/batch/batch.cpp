@@ -55,6 +55,7 @@ class BatchRunner {
       if (left == EarlierResults::Left::comparison) to_compare_.push_back(i);
       if (left != EarlierResults::Left::everything) continue;
       to_draw_.push_back(i);
+      jobs_[i].has_old_picture = earlier.drew_picture_of(jobs_[i]);
       std::error_code error;
       const auto size = std::filesystem::file_size(jobs_[i].scene, error);
       const double known = earlier.seconds_of(jobs_[i]);

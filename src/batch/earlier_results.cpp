@@ -49,6 +49,12 @@ EarlierResults::Left EarlierResults::left_of(const Job& job, Record& record) {
   return Left::comparison;
 }
 
+bool EarlierResults::drew_picture_of(const Job& job) const {
+  const Record* known = find(job);
+  const std::optional<std::string> hash = file_hash(job.picture);
+  return known && hash && known->value("picture_hash", "") == *hash;
+}
+
 double EarlierResults::seconds_of(const Job& job) const {
   const Record* known = find(job);
   return known ? known->at("seconds").get<double>() : -1;

@@ -20,6 +20,9 @@ class EarlierResults {
   // What is left to be done of a job, and the record of what is done already.
   Left left_of(const Job& job, Record& record);
 
+  // Whether the file in the picture's place is one that an earlier run drew.
+  bool drew_picture_of(const Job& job) const;
+
   // How long its drawing took then, in seconds; negative where it is not known.
   double seconds_of(const Job& job) const;
 

@@ -58,7 +58,7 @@ Record failure_record(const Job& job, const FinishedJob& finished) {
   record["cpu_seconds"] = finished.cpu_seconds;
   record["memory_mib"] = static_cast<double>(finished.peak_memory_bytes) / (1 << 20);
   std::error_code ignored;
-  std::filesystem::remove(job.picture, ignored);
+  if (job.has_old_picture) std::filesystem::remove(job.picture, ignored);
   if (!job.heat_map.empty()) std::filesystem::remove(job.heat_map, ignored);
   place(job, record);
   return record;

@@ -28,6 +28,10 @@ struct Job {
   std::filesystem::path solution;  // empty: nothing to compare with
   std::filesystem::path heat_map;  // empty: not wanted
   Tolerance tolerance;
+
+  // Whether the file that is there now was drawn by an earlier run, so that it may go where there is no new
+  // one.
+  bool has_old_picture = false;
 };
 
 }  // namespace trace

@@ -51,7 +51,7 @@ Record draw_job(const Job& job, const std::string& program, BlobExchange& exchan
   std::error_code ignored;
   if (record["outcome"] == outcome::rendered) {
     record["picture_hash"] = file_hash(job.picture).value_or("");
-  } else {
+  } else if (job.has_old_picture) {
     std::filesystem::remove(job.picture, ignored);
   }
   if (!job.heat_map.empty()) std::filesystem::remove(job.heat_map, ignored);

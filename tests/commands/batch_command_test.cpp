@@ -237,6 +237,7 @@ TEST_CASE("a batch does not write over its solutions or textures") {
   write_image(batch / "scenes/a.png", {1, 1, {10, 20, 30}});
   const Outcome texture = batch.run("scenes -o scenes -w 20");
   CHECK(texture.status == 3);
+  CHECK(read_image(batch / "scenes/a.png").width == 1);
   CHECK_THAT(texture.errors,
              Catch::Contains("scenes/a.ray: error: its picture would replace 'scenes/a.png', which "
                              "the scene uses\n"));
@@ -277,7 +278,7 @@ TEST_CASE("results that cannot be written are told before any work is done") {
   batch.add_scene("a.ray");
   const Outcome outcome = batch.run("scenes -o out -w 20 --csv none/x.csv");
   CHECK(outcome.status == 3);
-  CHECK(outcome.errors == "trace: error: cannot write 'none/x.csv': no such file or directory\n");
+  CHECK(outcome.errors == "trace: error: cannot write 'none/x.csv': no such directory\n");
   CHECK(!std::filesystem::exists(batch / "out/a.png"));
 }
 
