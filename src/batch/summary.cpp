@@ -3,19 +3,16 @@
 #include <set>
 
 #include "batch/run_job.hpp"
+#include "report/diff_report.hpp"
 
 namespace trace {
 namespace {
-
-constexpr Verdict verdicts[] = {Verdict::identical,  Verdict::within,       Verdict::beyond,
-                                Verdict::not_finite, Verdict::size_differs, Verdict::channels_differ,
-                                Verdict::unreadable, Verdict::missing,      Verdict::extra};
 
 Record counts(const std::vector<Record>& records) {
   std::set<std::string> scenes;
   std::size_t rendered = 0, failed = 0, uncompared = 0;
   Record result = {{"scenes", 0}, {"rendered", 0}, {"failed", 0}};
-  for (const Verdict verdict : verdicts) result[std::string(name(verdict))] = 0;
+  for (const Verdict verdict : all_verdicts) result[std::string(name(verdict))] = 0;
   for (const Record& record : records) {
     scenes.insert(record.at("scene").get<std::string>());
     const bool done = record.at("outcome") == outcome::rendered;

@@ -5,7 +5,7 @@
 namespace trace {
 
 int DiffReport::status() const {
-  int worst = 0;
+  int worst = incomplete ? exit_status(Verdict::unreadable) : 0;
   for (const ComparedPair& pair : pairs) worst = std::max(worst, exit_status(pair.judgement.verdict));
   return worst;
 }

@@ -19,8 +19,9 @@ struct ComparedPair {
 struct DiffReport {
   std::string reference, test;  // the two pictures or folders, as the user wrote them
   std::vector<ComparedPair> pairs;
+  bool incomplete = false;  // a folder could not be read, or a heat map not written
 
-  int status() const;  // the largest exit_status of the pairs; 0 without pairs
+  int status() const;  // the largest exit_status of the pairs, 0 without pairs; 3 where it is incomplete
   std::size_t count(Verdict verdict) const;
 };
 

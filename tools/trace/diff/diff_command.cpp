@@ -126,7 +126,9 @@ int compare(Comparison& comparison) {
   TextOutput updated(arguments.update ? tolerances.path() : "");
   std::vector<std::string> failures;
   comparison.report = {arguments.reference, arguments.test,
-                       compare_pairs(comparison.pairs, arguments, comparison.folders, tolerances, failures)};
+                       compare_pairs(comparison.pairs, arguments, comparison.folders, tolerances, failures),
+                       false};
+  comparison.report.incomplete = comparison.unread || !failures.empty();
   if (arguments.update) updated.write(accept(comparison, tolerances));
 
   const bool data_on_output =
@@ -136,7 +138,7 @@ int compare(Comparison& comparison) {
   if (csv.wanted()) csv.write(diff_csv(comparison.report));
   if (junit.wanted()) junit.write(diff_junit(comparison.report));
   for (const std::string& failure : failures) file_error(failure);
-  return failures.empty() && !comparison.unread ? comparison.report.status() : diff_file;
+  return comparison.report.status();
 }
 
 // Two pictures of 512 x 512 with everything that is made of them take some 30 MB.
