@@ -13,7 +13,6 @@ ABSENT = 77  # exit status where there is no browser
 try:
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common import utils
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.support.ui import WebDriverWait
@@ -29,17 +28,6 @@ def require():
             sys.exit(ABSENT)
 
 
-class LoopbackService(Service if webdriver else object):
-    """Reached by number: a minimal system does not know the name localhost."""
-
-    @property
-    def service_url(self):
-        return f"http://127.0.0.1:{self.port}"
-
-    def is_connectable(self):
-        return utils.is_connectable(self.port, "127.0.0.1")
-
-
 class Browser:
     def __init__(self):
         os.environ.setdefault("HOME", tempfile.gettempdir())  # Chromium needs one
@@ -49,7 +37,7 @@ class Browser:
                          "--hide-scrollbars", "--force-device-scale-factor=1", "--window-size=1400,1000"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        self.driver = webdriver.Chrome(service=LoopbackService(DRIVER), options=options)
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
         self.driver.set_script_timeout(20)
 
     def close(self):
