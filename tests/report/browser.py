@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+import socket
 import sys
 import tempfile
 
@@ -26,6 +27,11 @@ def require():
         if not found:
             print(f"{name} is not installed (tools/install-packages --tests)")
             sys.exit(ABSENT)
+    try:
+        socket.gethostbyname("localhost")  # by which the driver and the browser talk
+    except OSError:
+        print("this system does not know the name localhost (/etc/hosts)")
+        sys.exit(ABSENT)
 
 
 class Browser:
