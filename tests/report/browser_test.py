@@ -46,6 +46,15 @@ def opened(page):
         return detail.open ? detail.querySelector("h2").lastChild.textContent : null""")
 
 
+def escape(page):
+    """Presses Escape and gives the page time for what follows from it: closing is told after it has happened."""
+    page.press(browser.Keys.ESCAPE)
+    for _ in range(100):
+        if page.run("return !document.querySelector('dialog[open]') && !document.querySelector('#detail > *')"):
+            return
+        time.sleep(0.02)
+
+
 def open_scene(page, scene):
     page.run("""[...document.querySelectorAll("#list a")].find((a) => a.textContent === arguments[0]).click()""", scene)
     page.wait("return document.getElementById('detail').open")
@@ -129,14 +138,14 @@ def the_filter_leaves_what_matches(page, folder):
     page.press("normals TRI")
     assert [row["scene"] for row in rows(page)] == ["features/trimesh_normals.ray"]
     assert page.one("#count").text == "1 of 13 results"
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     assert len(rows(page)) == 13
     page.press("/")
     page.press("shadows are")  # of the diagnosis
     assert [row["scene"] for row in rows(page)] == ["showcase/still_life.ray"]
     page.press(" nowhere")
     assert rows(page) == [] and "No result matches." in page.one("#list").text
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     for verdict, word in (("crashed", "crashed"), ("identical", "identical")):
         page.one(f".chips [data-value={verdict}]").click()
         assert column(page, "Verdict") and set(column(page, "Verdict")) == {word}
@@ -247,7 +256,7 @@ def n_and_p_go_from_failure_to_failure(page, folder):
         assert opened(page) == scene, (opened(page), scene)
     page.press("p")
     page.wait("return document.querySelector('#detail h2').lastChild.textContent === arguments[0]", failures[-1])
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     assert opened(page) is None
     focused = page.run("return document.activeElement.textContent")
     assert focused == failures[-1], focused
@@ -259,7 +268,7 @@ def help_opens_and_closes(page, folder):
     page.load(folder / "one.html")
     page.press("?")
     assert "Next failure" in page.one("#help").text
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     assert not page.run("return document.getElementById('help').open")
 
 
@@ -286,7 +295,7 @@ def details_tell_figures_messages_and_times(page, folder):
     text = page.one("#detail").text
     for part in ("Reflection is missing", "RMSE", "PSNR", "Largest difference", "Foreground", "Time"):
         assert part in text, part
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     page.wait("return !document.getElementById('detail').open")
     open_scene(page, "wrong.ray")
     message = page.one("#detail pre").text
@@ -299,7 +308,7 @@ def broken_pictures_and_markup_in_names_do_no_harm(page, folder):
     page.load(folder / "one.html")
     open_scene(page, "features/groups.ray")
     page.wait("return document.querySelectorAll('.stage img, .stage .no-picture').length >= 2")
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     open_scene(page, "</script><img src=x onerror=alert(1)>.ray")
     assert page.run("return document.querySelectorAll('[onerror]').length") == 0
 
@@ -357,7 +366,7 @@ def charts_are_drawn_and_their_points_open_scenes(page, folder):
     page.actions().move_to_element_with_offset(over, round(at[0]), round(at[1])).click().perform()
     page.wait("return document.getElementById('detail').open")
     assert found.startswith(opened(page) + ":"), found
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     links = page.run("""document.querySelector(".points").open = true;
         return [...document.querySelectorAll(".points a")].map((a) => a.textContent)""")
     assert len(links) == 8 and "showcase/still_life.ray" in links, links
@@ -387,7 +396,7 @@ def several_renderers_are_columns(page, folder):
     page.wait("return document.getElementById('detail').open")
     assert "timed out" in page.one("#detail").text
     assert len(page.all(".renderers a")) == 2
-    page.press(browser.Keys.ESCAPE)
+    escape(page)
     page.screenshot(folder / "two.png")
     page.one("[aria-label=Form] [data-value=list]").click()
     assert len(rows(page)) == 26
