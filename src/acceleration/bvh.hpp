@@ -26,6 +26,8 @@ struct alignas(64) BvhNode {
 struct Bvh {
   std::vector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
   std::vector<std::uint32_t> order;  // items in the order of the leaves
+  Vec3 centre{0};   // boxes are relative to it, so that they are tight wherever the items are
+  float slack = 0;  // by which a hit's t may come out too small (see upper_limit)
 };
 
 // Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
@@ -38,23 +40,28 @@ inline constexpr int max_bvh_depth = max_sah_depth + 32;
 
 // The ray as the boxes see it.
 //
-// In exact arithmetic a slab is met at (plane - o) / d. Here o is rounded to float (error <= 2^-24 |o|) and
-// the difference and product round again. The planes are therefore moved apart by e = 2^-22 |o|, which covers
-// the first with room for the rounding of hits themselves (double, some 2^-50 |o|), and the inverse is made
-// smaller for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that are
-// relative to the distance. d = 0 gives an infinite inverse: the slab is then all or nothing, and 0 * inf =
-// NaN, a ray within a boundary plane, passes because the minimum and maximum below keep the other operand.
+// In exact arithmetic a slab is met at (plane - o) / d, o relative to the centre c of the hierarchy. Here o
+// is rounded to float (error <= 2^-24 |o|) and the difference and product round again. The planes are
+// therefore moved apart by e = 2^-22 |o| + 2^-44 |c|, which covers the first with room for the rounding of
+// hits themselves (double, some 2^-50 of the coordinates before they were made relative), and the inverse is
+// made smaller for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that
+// are relative to the distance (Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013). d = 0, of either sign,
+// gives an infinite inverse: the slab is then all or nothing, and 0 * inf = NaN, a ray within a boundary
+// plane, passes because the minimum and maximum below keep the other operand.
 struct BvhRay {
   float near_origin[3], far_origin[3];
   float near_inverse[3], far_inverse[3];
   bool negative[3];
 
-  explicit BvhRay(const Ray& ray);
+  BvhRay(const Bvh& bvh, const Ray& ray);
 };
 
-// A distance in double as an upper limit for boxes, which may be off by the relative error above.
-inline float upper_limit(double t) {
-  return static_cast<float>(t * (1 + 0x1p-20));
+// A distance in double as an upper limit for boxes. Boxes may be off by the relative error above, and the t
+// of a hit by more than its place: in a grazing hit a small error across becomes a large one along the ray,
+// for a quadric up to the square root of 2^-50 of its size, for a triangle 2^-23 of its size and of t
+// (triangle.cpp).
+inline float upper_limit(const Bvh& bvh, double t) {
+  return static_cast<float>(t * (1 + 0x1p-20)) + bvh.slack;
 }
 
 // Calls leaf(first, count, limit) for each leaf that the ray may touch within `limit`, near ones first as far
@@ -72,7 +79,7 @@ void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
   std::array<Entry, 3 * max_bvh_depth + 4> stack;
   std::size_t size = 0;
   Entry entry{0, 0, 0};
-  float limit_f = upper_limit(limit);
+  float limit_f = upper_limit(bvh, limit);
 
   const __m128 near_o[3] = {_mm_set1_ps(ray.near_origin[0]), _mm_set1_ps(ray.near_origin[1]),
                             _mm_set1_ps(ray.near_origin[2])};
@@ -111,7 +118,7 @@ void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
     } else {
       limit = leaf(entry.index, entry.count, limit);
       if (limit < 0) return;
-      limit_f = upper_limit(limit);
+      limit_f = upper_limit(bvh, limit);
     }
     do {
       if (size == 0) return;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "acceleration/bvh.hpp"
+#include "geometry/rounding.hpp"
 
 namespace trace {
 namespace {
@@ -24,18 +25,18 @@ struct Box3f {
   }
 };
 
-// The tightest 32-bit box around `b` and some slack: the exact formulas work in the space of the object and
-// hit up to its edge there, which the box misses by the rounding of the object's place, some 2^-50 of its
-// largest coordinate.
-Box3f rounded_outward(const Bounds& b) {
-  double largest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::abs(b.min[axis]), std::abs(b.max[axis])});
-  }
-  const double slack = 0x1p-40 * largest;
+double largest_coordinate(const Bounds& b) {
+  return std::max(largest(b.min), largest(b.max));
+}
+
+// The tightest 32-bit box around `b` and some slack, relative to `centre`: the exact formulas work in the
+// space of the object and hit up to its edge there, which the box misses by the rounding of the object's
+// place, some 2^-50 of its largest coordinate.
+Box3f rounded_outward(const Bounds& b, const Vec3& centre) {
+  const double slack = 0x1p-40 * largest_coordinate(b);
   Box3f result;
   for (int axis = 0; axis < 3; ++axis) {
-    const double low = b.min[axis] - slack, high = b.max[axis] + slack;
+    const double low = b.min[axis] - centre[axis] - slack, high = b.max[axis] - centre[axis] + slack;
     result.low[axis] = static_cast<float>(low);
     if (result.low[axis] > low) result.low[axis] = std::nextafter(result.low[axis], -Box3f::inf);
     result.high[axis] = static_cast<float>(high);
@@ -57,8 +58,13 @@ constexpr std::uint32_t parallel_size = 8192;
 class Builder {
  public:
   Builder(std::span<const Bounds> items, std::uint32_t max_leaf) : max_leaf_(max_leaf) {
+    Bounds all;
+    for (const Bounds& b : items) all.add(b);
+    if (!all.empty()) centre_ = 0.5 * all.min + 0.5 * all.max;
+    if (!is_finite(centre_)) centre_ = Vec3(0);
+    slack_ = static_cast<float>(0x1p-21 * largest(all.max - centre_) + 0x1p-40 * largest_coordinate(all));
     boxes_.reserve(items.size());
-    for (const Bounds& b : items) boxes_.push_back(rounded_outward(b));
+    for (const Bounds& b : items) boxes_.push_back(rounded_outward(b, centre_));
     order_.resize(items.size());
     std::iota(order_.begin(), order_.end(), 0u);
     if (!items.empty()) nodes_.resize(2 * items.size() - 1);
@@ -72,6 +78,8 @@ class Builder {
     result.nodes.reserve(order_.size() / 3 + 1);
     collapse(result);
     result.order = std::move(order_);
+    result.centre = centre_;
+    result.slack = slack_;
     return result;
   }
 
@@ -218,6 +226,8 @@ class Builder {
   }
 
   std::uint32_t max_leaf_;
+  Vec3 centre_{0};
+  float slack_ = 0;
   std::vector<Box3f> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<BinaryNode> nodes_;

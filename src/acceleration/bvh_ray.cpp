@@ -2,11 +2,12 @@
 
 namespace trace {
 
-BvhRay::BvhRay(const Ray& ray) {
+BvhRay::BvhRay(const Bvh& bvh, const Ray& ray) {
   for (int axis = 0; axis < 3; ++axis) {
     const double d = ray.direction[axis];
-    const auto origin = static_cast<float>(ray.origin[axis]);
-    const float error = 0x1p-22f * std::abs(origin);
+    const auto origin = static_cast<float>(ray.origin[axis] - bvh.centre[axis]);
+    const float error =
+        0x1p-22f * std::abs(origin) + static_cast<float>(0x1p-44 * std::abs(bvh.centre[axis]));
     const auto inverse = static_cast<float>(1.0 / d);
     negative[axis] = std::signbit(d);
     near_origin[axis] = negative[axis] ? origin - error : origin + error;

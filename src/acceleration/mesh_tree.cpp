@@ -1,5 +1,7 @@
 #include "acceleration/mesh_tree.hpp"
 
+#include "acceleration/mesh_gaps.hpp"
+
 namespace trace {
 namespace {
 
@@ -7,7 +9,7 @@ constexpr std::uint32_t max_leaf = 4;
 
 }  // namespace
 
-MeshTree::MeshTree(const Mesh& mesh) {
+MeshTree::MeshTree(const Mesh& mesh) : mesh_(&mesh) {
   std::vector<Bounds> boxes(mesh.faces.size());
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     for (const std::uint32_t corner : mesh.faces[face]) boxes[face].add(mesh.points[corner]);
@@ -19,38 +21,56 @@ MeshTree::MeshTree(const Mesh& mesh) {
 }
 
 bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const {
-  double best = std::numeric_limits<double>::infinity();
+  TriangleHit best{std::numeric_limits<double>::infinity(), 0, 0};
   std::uint32_t best_face = 0;
-  traverse(bvh_, BvhRay(ray), limit, [&](std::uint32_t first, std::uint32_t count, double current) {
+  MeshGaps gaps;
+  traverse(bvh_, BvhRay(bvh_, ray), limit, [&](std::uint32_t first, std::uint32_t count, double current) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       TriangleHit candidate;
-      if (!intersect(triangles_[i], ray, candidate)) continue;
-      if (!(candidate.t < best || (candidate.t == best && faces_[i] < best_face))) continue;
-      if (cull && glm::dot(face_normal(triangles_[i]), ray.direction) > 0) continue;
-      best = candidate.t;
+      const Meeting meeting = meet(i, ray, candidate);
+      if (meeting == Meeting::none || candidate.t > best.t) continue;
+      if (meeting == Meeting::hit && candidate.t == best.t && faces_[i] > best_face) continue;
+      const bool from_behind = is_from_behind(i, ray);
+      if (cull && from_behind) continue;
+      if (meeting != Meeting::hit) {
+        gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, from_behind});
+        continue;
+      }
+      best = candidate;
       best_face = faces_[i];
-      hit.t = candidate.t;
-      hit.uv = Vec2(candidate.u, candidate.v);
     }
-    return best < current ? best : current;
+    return best.t < current ? best.t : current;
   });
+  // Where the course hits another face at the place of a gap, it is that face.
+  const MeshGap* gap = gaps.nearest();
+  hit.is_gap = gap && gap->hit.t < best.t && !same_place(best.t, gap->hit.t);
+  if (hit.is_gap) {
+    best = gap->hit;
+    best_face = gap->face;
+  }
+  hit.t = best.t;
+  hit.uv = Vec2(best.u, best.v);
   hit.part = best_face;
-  return best < std::numeric_limits<double>::infinity();
+  return best.t < std::numeric_limits<double>::infinity();
 }
 
 bool MeshTree::occludes(const Ray& ray, double scale, double limit) const {
   bool found = false;
-  traverse(bvh_, BvhRay(ray), limit * scale, [&](std::uint32_t first, std::uint32_t count, double current) {
+  MeshGaps gaps;
+  traverse(bvh_, BvhRay(bvh_, ray), limit * scale, [&](std::uint32_t first, std::uint32_t count, double current) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       TriangleHit candidate;
-      if (intersect(triangles_[i], ray, candidate) && candidate.t / scale < limit) {
+      const Meeting meeting = meet(i, ray, candidate);
+      if (meeting == Meeting::none || !(candidate.t / scale < limit)) continue;
+      if (meeting == Meeting::hit) {
         found = true;
         return -1.0;
       }
+      gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, is_from_behind(i, ray)});
     }
     return current;
   });
-  return found;
+  return found || gaps.nearest() != nullptr;
 }
 
 }  // namespace trace

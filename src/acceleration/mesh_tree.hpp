@@ -8,17 +8,30 @@ namespace trace {
 
 class MeshTree {
  public:
+  // Refers to `mesh`, which must outlive it.
   explicit MeshTree(const Mesh& mesh);
 
   // The nearest face, of faces at the same t the first in the file, no further than about `limit`; ray and t
   // in the space of the mesh. With `cull`, faces seen from behind are passed over. The hit's part is the
-  // face, its uv the weights of the second and third corner; the normal is left alone.
+  // face, its uv the weights of the second and third corner; the normal is left alone. Where the nearest is a
+  // gap (mesh_gaps.hpp) it is the answer and marked.
   bool closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const;
 
   // Whether any face is hit at t / scale < limit, seen from either side; `limit` is a distance in the world.
   bool occludes(const Ray& ray, double scale, double limit) const;
 
  private:
+  // The triangle at `place` in the order of the leaves. Never `unsure`.
+  Meeting meet(std::uint32_t place, const Ray& ray, TriangleHit& hit) const {
+    const Meeting meeting = meets(triangles_[place], ray, hit);
+    return meeting == Meeting::unsure ? meets_after_all(mesh_->corners(faces_[place]), ray, hit) : meeting;
+  }
+
+  bool is_from_behind(std::uint32_t place, const Ray& ray) const {
+    return glm::dot(face_normal(triangles_[place]), ray.direction) > 0;
+  }
+
+  const Mesh* mesh_;
   Bvh bvh_;
   std::vector<Triangle> triangles_;   // in the order of the leaves
   std::vector<std::uint32_t> faces_;  // their numbers in the mesh

@@ -44,7 +44,7 @@ void SceneTree::visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const {
   if (bvh_.nodes.empty()) {
     leaf(0, static_cast<std::uint32_t>(scene_.objects.size()), limit);
   } else {
-    traverse(bvh_, BvhRay(ray), limit, leaf);
+    traverse(bvh_, BvhRay(bvh_, ray), limit, leaf);
   }
 }
 
@@ -53,7 +53,7 @@ std::uint32_t SceneTree::object_at(std::uint32_t place) const {
 }
 
 Hit SceneTree::closest(const Ray& ray, bool cull) const {
-  Hit best;
+  Hit best, gap;
   FrameRays rays(scene_, ray);
   visit_leaves(ray, best.t, [&](std::uint32_t first, std::uint32_t count, double) {
     for (std::uint32_t i = first; i < first + count; ++i) {
@@ -73,11 +73,13 @@ Hit SceneTree::closest(const Ray& ray, bool cull) const {
           object.shape);
       if (!found) continue;
       const double t = hit.t / local.scale;
-      if (t < best.t || (t == best.t && id < best.object)) best = {t, id, hit};
+      Hit& other = hit.is_gap ? gap : best;
+      if (t < other.t || (t == other.t && id < other.object)) other = {t, id, hit};
     }
     return best.t;
   });
-  return best;
+  // Where something else is hit at the place of a gap in a mesh, it is that.
+  return gap.t < best.t && !same_place(best.t, gap.t) ? gap : best;
 }
 
 bool SceneTree::occluded(const Ray& ray, double limit) const {

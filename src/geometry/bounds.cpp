@@ -24,7 +24,7 @@ bool hits_bounds(const Bounds& b, const Ray& ray) {
     if (t1 > t2) std::swap(t1, t2);
     if (t1 > enter) enter = t1;
     if (t2 < leave) leave = t2;
-    if (enter > leave || leave < min_t) return false;
+    if (enter > leave || leave < 0) return false;
   }
   return true;
 }

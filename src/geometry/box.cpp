@@ -12,7 +12,7 @@ bool Box::intersect(const Ray& ray, LocalHit& hit) const {
     if (ray.direction[axis] == 0) continue;
     const double plane = face / 3 - 0.5;
     const double t = (plane - ray.origin[axis]) / ray.direction[axis];
-    if (!(t >= min_t && t < best)) continue;
+    if (!(t > ray.least_t && t < best) || std::abs(plane - ray.origin[axis]) <= ray.origin_error) continue;
     const int next = (axis + 1) % 3, last = (axis + 2) % 3;
     const double a = ray.origin[next] + t * ray.direction[next];
     const double b = ray.origin[last] + t * ray.direction[last];
@@ -32,6 +32,13 @@ bool Box::intersect(const Ray& ray, LocalHit& hit) const {
   hit.normal[axis] = min_face ? -1 : 1;
   hit.uv = Vec2(min_face ? 0.5 - p[low] : 0.5 + p[low], 0.5 + p[high]);
   return true;
+}
+
+double Box::distance(const Vec3& p, const Vec3& normal) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (normal[axis] != 0) return std::abs(p[axis] - 0.5 * normal[axis]);
+  }
+  return 0;
 }
 
 }  // namespace trace

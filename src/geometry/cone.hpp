@@ -7,6 +7,7 @@
 #pragma once
 
 #include "geometry/bounds.hpp"
+#include "geometry/quadratic.hpp"
 
 namespace trace {
 
@@ -18,7 +19,14 @@ class Cone {
   Bounds bounds() const;
   bool intersect(const Ray& ray, LocalHit& hit) const;
 
+  // From the side, or from the caps, whichever the normal of a hit belongs to; at least as much as the real
+  // one.
+  double distance(const Vec3& p, const Vec3& normal) const;
+
  private:
+  // Where the ray meets the endless double cone; false where it does not, and where it only touches it.
+  bool side_roots(const Ray& ray, const Vec3& from_apex, Roots& roots) const;
+
   double bottom_radius_, top_radius_, height_;
   bool capped_;
   double slope_;        // B

@@ -1,8 +1,40 @@
 #include "geometry/cylinder.hpp"
 
-#include <initializer_list>
+#include <algorithm>
+
+#include "geometry/quadratic.hpp"
+#include "geometry/rounding.hpp"
 
 namespace trace {
+namespace {
+
+// a t^2 + b t + c = 0 with a = dx^2 + dy^2: where a ray meets the endless cylinder.
+bool roots_of_side(const Ray& ray, double a, double c, Roots& roots) {
+  const Vec3 &o = ray.origin, &d = ray.direction;
+  const double b = 2.0 * (o.x * d.x + o.y * d.y);
+  const double discriminant = b * b - 4.0 * a * c;
+  Discriminant stable{0, 0};
+  if (!Discriminant{discriminant, b * b + 4.0 * a * (c + 2)}.is_well_conditioned()) {
+    // A quarter of it without cancellation for far origins.
+    const double moment = difference_of_products(o.x, d.y, o.y, d.x);
+    stable = {a - moment * moment, a + moment * moment};
+  }
+  if (stable.is_decided()) {
+    if (stable.value < 0) return false;
+    roots = stable_roots(a, 0.5 * b, c, std::sqrt(stable.value));
+  } else {
+    if (!(discriminant >= 0)) return false;
+    const double root = std::sqrt(discriminant);
+    roots = {(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)};
+  }
+  return true;
+}
+
+double radius_squared(const Vec3& p) {
+  return p.x * p.x + p.y * p.y;
+}
+
+}  // namespace
 
 bool Cylinder::intersect(const Ray& ray, LocalHit& hit) const {
   LocalHit side;
@@ -13,26 +45,24 @@ bool Cylinder::intersect(const Ray& ray, LocalHit& hit) const {
 }
 
 bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {
-  const Vec3 &o = ray.origin, &d = ray.direction;
-  const double a = d.x * d.x + d.y * d.y;
+  const double a = radius_squared(ray.direction);
   if (a == 0) return false;
-  const double b = 2.0 * (o.x * d.x + o.y * d.y);
-  const double c = o.x * o.x + o.y * o.y - 1.0;
-  const double discriminant = b * b - 4.0 * a * c;
-  if (!(discriminant >= 0)) return false;
-  const double root = std::sqrt(discriminant);
-  const double near = (-b - root) / (2.0 * a), far = (-b + root) / (2.0 * a);
-  if (!(far > min_t)) return false;
-  for (const double t : {near, far}) {
-    if (!(t > min_t)) continue;
+  const double c = radius_squared(ray.origin) - 1.0;  // positive outside
+  Roots roots;
+  if (!roots_of_side(ray, a, c, roots)) return false;
+  // As for the sphere.
+  const double unsure = 4 * ray.origin_error + 2 * gamma(4);
+  const bool inward = ray.origin.x * ray.direction.x + ray.origin.y * ray.direction.y < 0;
+  const auto meets = [&](double t) {
+    if (!(t > ray.least_t)) return false;
     const Vec3 p = ray.at(t);
-    if (p.z >= 0 && p.z <= 1) {
-      hit.t = t;
-      hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
-      return true;
-    }
-  }
-  return false;
+    if (!(p.z >= 0 && p.z <= 1)) return false;
+    hit.t = t;
+    hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
+    return true;
+  };
+  if (c >= -unsure && !inward) return false;
+  return (c > unsure && meets(roots.first)) || meets(roots.second);
 }
 
 bool Cylinder::intersect_caps(const Ray& ray, LocalHit& hit) const {
@@ -40,24 +70,21 @@ bool Cylinder::intersect_caps(const Ray& ray, LocalHit& hit) const {
   const double bottom = -ray.origin.z / ray.direction.z;
   const double top = (1.0 - ray.origin.z) / ray.direction.z;
   const bool upward = ray.direction.z > 0;
-  const double enter = upward ? bottom : top, leave = upward ? top : bottom;
-  if (!(leave >= min_t)) return false;
-
-  const auto inside_rim = [&](double t) {
-    const Vec3 p = ray.at(t);
-    return p.x * p.x + p.y * p.y <= 1.0;
+  const auto meets = [&](bool is_top) {
+    const double t = is_top ? top : bottom;
+    if (std::abs(ray.origin.z - is_top) <= ray.origin_error || !(t > ray.least_t)) return false;
+    if (!(radius_squared(ray.at(t)) <= 1.0)) return false;
+    hit.t = t;
+    hit.normal = Vec3(0, 0, is_top ? 1 : -1);
+    return true;
   };
-  if (enter >= min_t && inside_rim(enter)) {
-    hit.t = enter;
-    hit.normal = Vec3(0, 0, upward ? -1 : 1);
-    return true;
-  }
-  if (inside_rim(leave)) {
-    hit.t = leave;
-    hit.normal = Vec3(0, 0, upward ? 1 : -1);
-    return true;
-  }
-  return false;
+  // The cap where the ray comes in, then the one where it leaves.
+  return meets(!upward) || meets(upward);
+}
+
+double Cylinder::distance(const Vec3& p, const Vec3& normal) const {
+  if (normal.z != 0) return std::abs(p.z - (normal.z > 0));
+  return std::abs(std::sqrt(radius_squared(p)) - 1);
 }
 
 }  // namespace trace

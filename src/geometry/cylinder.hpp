@@ -11,8 +11,11 @@ struct Cylinder {
   // The side where it is strictly nearer than the caps, else the caps. Normals point outward.
   bool intersect(const Ray& ray, LocalHit& hit) const;
 
+  // From the side or the cap that the normal of a hit belongs to.
+  double distance(const Vec3& p, const Vec3& normal) const;
+
  private:
-  // a t^2 + b t + c = 0 with a = dx^2 + dy^2; rays along the axis have no hit here.
+  // Rays along the axis have no hit here.
   bool intersect_side(const Ray& ray, LocalHit& hit) const;
   bool intersect_caps(const Ray& ray, LocalHit& hit) const;
 };

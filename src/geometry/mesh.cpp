@@ -1,11 +1,22 @@
 #include "geometry/mesh.hpp"
 
+#include "geometry/rounding.hpp"
+
 namespace trace {
 
-Triangle Mesh::triangle(std::uint32_t face) const {
+Corners Mesh::corners(std::uint32_t face) const {
   const FaceCorners& f = faces[face];
-  const Vec3& a = points[f[0]];
-  return {a, points[f[1]] - a, points[f[2]] - a};
+  return {points[f[0]], points[f[1]], points[f[2]]};
+}
+
+double Mesh::distance(std::uint32_t face, const Vec3& p) const {
+  const Triangle t = triangle(face);
+  const Vec3 normal = accurate_cross(t.ab, t.ac);
+  const Vec3 from_a = p - t.a;
+  // The normal is off by gamma(4) of the products of which it is the difference, in each coordinate; those of
+  // a thin triangle are much larger than itself.
+  const double error = gamma(8) * 2 * largest(t.ab) * largest(t.ac) * sum_of_sizes(from_a);
+  return (std::abs(glm::dot(from_a, normal)) + error) / glm::length(normal);
 }
 
 Bounds Mesh::bounds() const {

@@ -20,8 +20,12 @@ struct Mesh {
   std::vector<FaceCorners> faces;
 
   bool smooth() const { return !normals.empty(); }
-  Triangle triangle(std::uint32_t face) const;
+  Corners corners(std::uint32_t face) const;
+  Triangle triangle(std::uint32_t face) const { return Triangle(corners(face)); }
   Bounds bounds() const;  // of all points, used by a face or not
+
+  // Of a point from the plane of a face, at least as much as the real one.
+  double distance(std::uint32_t face, const Vec3& p) const;
 
   // Interpolated: n = normalize((1-u-v) n_a + u n_b + v n_c). Not finite where the sum is zero.
   Vec3 smooth_normal(std::uint32_t face, const Vec2& weights) const;

@@ -7,17 +7,20 @@
 
 namespace trace {
 
+// There is no smallest distance for a hit. A ray that leaves a surface knows instead how well its origin is
+// known, and a hit is dropped exactly where the origin cannot be told from lying on the surface that is hit
+// (docs/numerics.md).
 struct Ray {
   Vec3 origin;
   Vec3 direction;  // unit length
 
+  // How far, in each coordinate, the origin may be from the surface that it is meant to lie on.
+  double origin_error = 0;
+  // Hits up to here lie within that error above the surface that the ray leaves.
+  double least_t = 0;
+
   Vec3 at(double t) const { return origin + t * direction; }
 };
-
-// A hit counts only where t, in the space of the object, exceeds this. The value is the language's: the
-// course's renderer lets an occluder 1.000001e-8 away cast its shadow and drops one 1.000000e-8 away, and
-// secondary rays start exactly at the hit point, so it is what keeps a surface from shadowing itself.
-inline constexpr double min_t = 1e-8;
 
 // In the space of the object. Primitives fill what they have: `normal` need not be of unit length, `uv` is
 // the place in a texture (box and square only), `part` and `uv` of a mesh are the face and the barycentric
@@ -27,6 +30,7 @@ struct LocalHit {
   Vec3 normal{0, 0, 1};
   Vec2 uv{0, 0};
   std::uint32_t part = 0;
+  bool is_gap = false;  // a mesh is hit where the course's renderer has a pinhole (mesh_gaps.hpp)
 };
 
 }  // namespace trace

@@ -1,20 +1,63 @@
 #include "geometry/sphere.hpp"
 
+#include "geometry/quadratic.hpp"
+#include "geometry/rounding.hpp"
+
 namespace trace {
+namespace {
+
+// The course's discriminant b^2 - o.o + 1 loses its digits where the origin is far away. This is the same
+// without cancellation: d.d - |o x d|^2 (Haines, Guenther, Akenine-Moeller, "Precision Improvements for
+// Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, with the cross product in place of the difference of
+// vectors).
+Discriminant stable_discriminant(const Ray& ray, double a) {
+  const Vec3 moment = accurate_cross(ray.origin, ray.direction);
+  const double square = glm::dot(moment, moment);
+  return {a - square, a + square};
+}
+
+}  // namespace
 
 bool Sphere::intersect(const Ray& given, LocalHit& hit) const {
-  const Ray ray{given.origin, glm::normalize(given.direction)};
+  Ray ray = given;
+  ray.direction = glm::normalize(given.direction);
   const Vec3 to_centre = -ray.origin;
   const double b = glm::dot(to_centre, ray.direction);
-  const double discriminant = b * b - glm::dot(to_centre, to_centre) + 1;
-  if (!(discriminant >= 0)) return false;
-  const double root = std::sqrt(discriminant);
-  const double far = b + root;
-  if (far <= min_t) return false;
-  const double near = b - root;
-  hit.t = near > min_t ? near : far;
+  const double square = glm::dot(to_centre, to_centre);
+  const double discriminant = b * b - square + 1;
+  const double c = square - 1;  // positive outside
+  Roots roots;
+  const double a = glm::dot(ray.direction, ray.direction);
+  Discriminant stable{0, 0};
+  if (!Discriminant{discriminant, b * b + square + 1}.is_well_conditioned())
+    stable = stable_discriminant(ray, a);
+  if (stable.is_decided()) {
+    if (stable.value < 0) return false;
+    roots = stable_roots(a, -b, c, std::sqrt(stable.value));
+  } else {
+    if (!(discriminant >= 0)) return false;
+    const double root = std::sqrt(discriminant);
+    roots = {b - root, b + root};
+  }
+  // c changes by 2 |o| for a step along the normal, which next to the surface is 2; in each coordinate the
+  // origin may be off by its error, so by sqrt(3) times as much along the normal. c itself is off by gamma(4)
+  // (o.o + 1).
+  const double unsure = 4 * ray.origin_error + 2 * gamma(4);
+  const bool inward = b > 0;
+  if (c > unsure) {
+    if (!inward) return false;
+    hit.t = roots.first;
+  } else {
+    if (c >= -unsure && !inward) return false;
+    hit.t = roots.second;
+  }
+  if (!(hit.t > ray.least_t)) return false;
   hit.normal = glm::normalize(ray.at(hit.t));
   return true;
+}
+
+double Sphere::distance(const Vec3& p) const {
+  return std::abs(glm::length(p) - 1);
 }
 
 }  // namespace trace

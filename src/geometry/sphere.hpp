@@ -8,10 +8,14 @@ namespace trace {
 struct Sphere {
   Bounds bounds() const { return {Vec3(-1), Vec3(1)}; }
 
-  // Nearest root of |o + t d|^2 = 1 beyond min_t, d of unit length: t = b -+ sqrt(b^2 - o.o + 1), b = -o.d.
-  // The normal points outward and has unit length. d is normalized once more here, as in the course's
-  // renderer: it changes the last bit, and that shows in cube maps.
+  // Nearest root of |o + t d|^2 = 1, d of unit length: t = b -+ sqrt(b^2 - o.o + 1), b = -o.d; from the
+  // outside the near one, from the inside or from the surface inward the far one. The normal points outward
+  // and has unit length. d is normalized once more here, as in the course's renderer: it changes the last
+  // bit, and that shows in cube maps.
   bool intersect(const Ray& ray, LocalHit& hit) const;
+
+  // From the surface.
+  double distance(const Vec3& p) const;
 };
 
 }  // namespace trace

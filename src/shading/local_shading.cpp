@@ -43,7 +43,7 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
     const Rgb reflected = material.diffuse * diffuse + material.specular * specular;
     if (may_skip && is_zero(reflected)) continue;
     const Rgb shadow =
-        shadow_attenuation(scene, tree, options, surface.point(), sample.towards, sample.distance, counts);
+        shadow_attenuation(scene, tree, options, surface.leaving(sample.towards), sample.distance, counts);
     color += light_color * sample.attenuation * shadow * reflected;
   }
   return color;

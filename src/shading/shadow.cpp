@@ -2,10 +2,9 @@
 
 namespace trace {
 
-Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
-                       const Vec3& point, const Vec3& towards_light, double distance, RayCounts& counts) {
+Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, Ray ray,
+                       double distance, RayCounts& counts) {
   if (!options.shadows) return Rgb(1);
-  Ray ray{point, towards_light};
   if (!scene.has_transmissive_objects) {
     ++counts.shadow;
     return Rgb(tree.occluded(ray, distance) ? 0 : 1);
@@ -18,11 +17,11 @@ Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingO
     const Surface surface(scene, ray, hit, options.smooth_shading);
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
-    if (glm::dot(surface.normal(), towards_light) > 0) left *= glm::pow(material.transmissive, Rgb(hit.t));
+    if (glm::dot(surface.normal(), ray.direction) > 0) left *= glm::pow(material.transmissive, Rgb(hit.t));
     // Where coordinates are so large that the step is lost in rounding, the same surface would be met for
     // ever.
     if (surface.point() == ray.origin) return left;
-    ray.origin = surface.point();
+    ray = surface.leaving(ray.direction);
     distance -= hit.t;
   }
 }

@@ -7,10 +7,10 @@
 
 namespace trace {
 
-// Walks from `point` towards the light, at most `distance`: nothing in the way leaves 1, an opaque surface 0,
-// and each passage out of a transmissive one multiplies by kt ^ (distance since the last crossing). Entering
-// costs nothing. No culling.
-Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
-                       const Vec3& point, const Vec3& towards_light, double distance, RayCounts& counts);
+// Walks along `ray`, from a surface towards the light, at most `distance`: nothing in the way leaves 1, an
+// opaque surface 0, and each passage out of a transmissive one multiplies by kt ^ (distance since the last
+// crossing). Entering costs nothing. No culling.
+Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, Ray ray,
+                       double distance, RayCounts& counts);
 
 }  // namespace trace

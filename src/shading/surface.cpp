@@ -1,5 +1,8 @@
 #include "shading/surface.hpp"
 
+#include <algorithm>
+
+#include "geometry/rounding.hpp"
 #include "scene/material_maps.hpp"
 
 namespace trace {
@@ -11,17 +14,39 @@ Material mixed(const SceneMesh& mesh, const LocalHit& hit) {
   return mix(mesh.materials[face[0]], mesh.materials[face[1]], mesh.materials[face[2]], 1.0 - u - v, u, v);
 }
 
+// Bound on the distance of a hit's point from the surface that was hit, as a displacement in each coordinate
+// of the world. It is measured rather than derived from how the point came about: carry the point into the
+// space of the object, which is off by a known bound, and see how far from the surface it is there.
+double error_of_point(const Scene& scene, const Object& object, const LocalHit& hit, const Vec3& point) {
+  const Frame& frame = scene.frames[object.frame];
+  const Vec3 p(frame.to_object * Vec4(point, 1));
+  const double distance = std::visit(
+      [&](const auto& shape) {
+        using S = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<S, MeshId>) {
+          return scene.meshes[shape.index].geometry.distance(hit.part, p);
+        } else if constexpr (std::is_same_v<S, Sphere> || std::is_same_v<S, Square>) {
+          return shape.distance(p) + gamma(4);
+        } else {
+          return shape.distance(p, hit.normal) + gamma(4) * (1 + largest(p));
+        }
+      },
+      object.shape);
+  return frame.to_world_stretch * (distance + frame.error(largest(point)));
+}
+
 }  // namespace
 
 Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth) : point_(ray.at(hit.t)) {
   const Object& object = scene.objects[hit.object];
   const MappedMaterial& material = scene.materials[object.material];
   material_ = &material.values;
-  Vec3 normal = hit.local.normal;
+  Vec3 normal = hit.local.normal, facing = normal;
   if (const auto* id = std::get_if<MeshId>(&object.shape)) {
     const SceneMesh& mesh = scene.meshes[id->index];
-    normal = smooth && mesh.geometry.smooth() ? mesh.geometry.smooth_normal(hit.local.part, hit.local.uv)
-                                              : face_normal(mesh.geometry.triangle(hit.local.part));
+    facing = face_normal(mesh.geometry.triangle(hit.local.part));
+    normal =
+        smooth && mesh.geometry.smooth() ? mesh.geometry.smooth_normal(hit.local.part, hit.local.uv) : facing;
     if (!mesh.materials.empty()) {
       own_ = mixed(mesh, hit.local);
       material_ = &own_;
@@ -30,7 +55,18 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
     own_ = at_point(material, scene.textures, hit.local.uv);
     material_ = &own_;
   }
-  normal_ = scene.frames[object.frame].world_normal(normal);
+  const Frame& frame = scene.frames[object.frame];
+  normal_ = frame.world_normal(normal);
+  facing_ = normal == facing ? normal_ : frame.world_normal(facing);
+  point_error_ = error_of_point(scene, object, hit.local, point_);
+}
+
+Ray Surface::leaving(const Vec3& direction) const {
+  // Along the normal the point is off by at most sqrt(3) of its error, and the side to which the ray leaves
+  // by as much again. A ray that grazes by less than 2^-20 runs in the surface as far as it can tell, and may
+  // meet what stands at its edge, as in the course's pictures.
+  const double cosine = std::max(std::abs(glm::dot(facing_, direction)), 0x1p-20);
+  return {point_, direction, point_error_, 4 * point_error_ / cosine};
 }
 
 }  // namespace trace

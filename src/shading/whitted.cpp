@@ -33,7 +33,7 @@ Rgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, bool inside
   // the course's pictures of cube maps.
   const Vec3 along = glm::dot(n, -d) * n;
   const Vec3 across = along + d;
-  const Ray mirrored{surface.point(), along + across};
+  const Ray mirrored = surface.leaving(along + across);
   const Result seen = trace(mirrored, Kind::reflection, depth - 1);
   // Inside glass the light has come through it.
   if (inside && material.transmits()) {
@@ -53,7 +53,7 @@ Rgb WhittedTracer::refracted(const Ray& ray, const Surface& surface, bool inside
   const double k = 1 - glm::dot(across, across);
   if (!(k >= 0)) return Rgb(0);  // total internal reflection: only the reflected ray goes on
   ++counts_.refracted;
-  const Ray bent{surface.point(), across - std::sqrt(k) * n};
+  const Ray bent = surface.leaving(across - std::sqrt(k) * n);
   const Result seen = trace(bent, Kind::refraction, depth - 1);
   // Beer's law with the material that is entered, over the way to whatever is hit next.
   if (inside) return seen.color;

@@ -1,0 +1,93 @@
+#include "geometry/expansion.hpp"
+
+#include <cmath>
+
+namespace trace {
+namespace {
+
+struct Pair {
+  double value, error;  // value + error is exact
+};
+
+// Knuth's sum of two numbers in any order.
+Pair two_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a, of_a = sum - of_b;
+  return {sum, (a - of_a) + (b - of_b)};
+}
+
+Pair two_product(double a, double b) {
+  const double product = a * b;
+  return {product, std::fma(a, b, -product)};
+}
+
+}  // namespace
+
+Expansion Expansion::difference(double a, double b) {
+  const Pair pair = two_sum(a, -b);
+  Expansion result;
+  result.append(pair.error);
+  result.append(pair.value);
+  return result;
+}
+
+// Shewchuk's GROW-EXPANSION.
+Expansion Expansion::plus(double b) const {
+  Expansion result;
+  double carry = b;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Pair sum = two_sum(carry, terms_[i]);
+    result.append(sum.error);
+    carry = sum.value;
+  }
+  result.append(carry);
+  return result;
+}
+
+// Shewchuk's SCALE-EXPANSION.
+Expansion Expansion::times(double b) const {
+  Expansion result;
+  if (size_ == 0) return result;
+  Pair carry = two_product(terms_[0], b);
+  result.append(carry.error);
+  for (std::size_t i = 1; i < size_; ++i) {
+    const Pair product = two_product(terms_[i], b);
+    const Pair low = two_sum(carry.value, product.error);
+    result.append(low.error);
+    const Pair high = two_sum(product.value, low.value);
+    result.append(high.error);
+    carry.value = high.value;
+  }
+  result.append(carry.value);
+  return result;
+}
+
+Expansion operator+(const Expansion& a, const Expansion& b) {
+  Expansion result = a;
+  for (std::size_t i = 0; i < b.size_; ++i) result = result.plus(b.terms_[i]);
+  return result;
+}
+
+Expansion Expansion::operator-() const {
+  Expansion result;
+  for (std::size_t i = 0; i < size_; ++i) result.append(-terms_[i]);
+  return result;
+}
+
+Expansion operator-(const Expansion& a, const Expansion& b) {
+  return a + -b;
+}
+
+Expansion operator*(const Expansion& a, const Expansion& b) {
+  Expansion result;
+  for (std::size_t i = 0; i < b.size_; ++i) result = result + a.times(b.terms_[i]);
+  return result;
+}
+
+double Expansion::estimate() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size_; ++i) sum += terms_[i];
+  return sum;
+}
+
+}  // namespace trace

@@ -1,0 +1,36 @@
+// Where a ray meets a quadric, and when rounding could decide it.
+#pragma once
+
+#include "geometry/rounding.hpp"
+
+namespace trace {
+
+// Roots of a t^2 + 2 h t + c = 0.
+struct Roots {
+  double first, second;  // (-h - root) / a and (-h + root) / a; in this order by size where a > 0
+};
+
+// A discriminant or a fraction of one, and the sum of the sizes of its terms.
+struct Discriminant {
+  double value, terms;
+
+  // As the textbook has it, from coefficients that are rounded themselves, it is off by less than gamma(8)
+  // terms. Beyond 2^-24 terms it has 25 good bits, and a hit is within 2^-26 of the size of the object from
+  // its surface. Else a form without cancellation must be asked.
+  bool is_well_conditioned() const { return std::abs(value) > 0x1p-24 * terms; }
+
+  // For the form without cancellation, whose few terms are each off by less than gamma(8). Where it cannot
+  // tell either, a ray touches the quadric as far as doubles can say, and the course's pictures have the last
+  // word.
+  bool is_decided() const { return std::abs(value) > gamma(8) * terms; }
+};
+
+// From a square root and coefficients that are accurate, without cancellation: the root that is a sum is
+// formed as such, the other by c / a = their product. Press et al., "Numerical Recipes", section 5.6. a may
+// be tiny or zero: one root is then far away or infinite.
+inline Roots stable_roots(double a, double h, double c, double root) {
+  const double q = h > 0 ? -(h + root) : root - h;
+  return h > 0 ? Roots{q / a, c / q} : Roots{c / q, q / a};
+}
+
+}  // namespace trace
