@@ -1,32 +1,64 @@
 // The space of an object: its place in the world, and rays carried into it.
 #pragma once
 
+#include <algorithm>
+
+#include "geometry/placement.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/rounding.hpp"
+#include "geometry/unit_vector.hpp"
 
 namespace trace {
 
 // Built once for each place in the scene graph and shared by the objects there.
 struct Frame {
   Mat4 to_world;
-  Mat4 to_object;        // inverse by cofactors times 1/det
-  Mat3 normal_to_world;  // transpose of the inverse of the upper 3x3
+  Mat4 to_object;
+  Mat3 normal_to_world;  // inverse transpose of the upper 3x3, up to a positive factor
 
-  double to_object_stretch = 1;  // largest row sum of |upper 3x3|
+  // The largest row sums of the upper 3x3 without signs: a displacement of at most e in each coordinate of
+  // the world is one of at most to_object_stretch e in each coordinate of the object, and the other way
+  // round.
+  double to_object_stretch = 1;
   double to_world_stretch = 1;
 
-  explicit Frame(const Mat4& placement);
-  double error(double size) const { return relative_error_ * size + error_at_origin_; }
+  // to_object is glm::inverse(to_world), whose bits are in the pictures, wherever that is within 2^-40 of the
+  // inverse that is composed from those of the transforms; elsewhere (extreme scales, lost digits) the
+  // latter.
+  explicit Frame(const Placement& placement);
+  // The place of a matrix that is exact.
+  explicit Frame(const Mat4& matrix) : Frame(Placement().inside(given_matrix(matrix))) {}
 
   // Whether the inverse exists. Objects in a frame without one are not drawn (zero scale, rotation about a
   // zero axis, singular transform).
-  bool invertible() const;
+  bool invertible() const { return invertible_; }
 
-  Vec3 world_normal(const Vec3& n) const { return glm::normalize(normal_to_world * n); }
+  // How far to_object * (p, 1), as GLM computes it, can be from p in the space of the exact placement (the
+  // product of the exact transforms), in each coordinate, for p with coordinates of at most `largest`.
+  double error(double largest) const { return error_.at(largest); }
+  // The part of it that differs from point to point: of rounding, against to_object itself.
+  double rounding(double largest) const { return rounding_.at(largest); }
+  // How far to_object * (o + d, 1) - to_object * (o, 1) can be from to_object * (d, 0), in each coordinate,
+  // for a d of unit length and o with coordinates of at most `largest`.
+  double difference_error(double largest) const { return difference_.at(largest); }
+
+  Vec3 world_normal(const Vec3& n) const { return unit_vector(normal_to_world * n).direction; }
 
  private:
-  double relative_error_ = 0, error_at_origin_ = 0;
+  struct Linear {
+    double slope = 0, constant = 0;
+    double at(double largest) const { return slope * largest + constant; }
+  };
+
+  void bound_errors(const Mat4& matrix_error);
+
+  Linear error_, rounding_, difference_;
+  bool invertible_ = true;
 };
+
+// The course's renderer drops hits nearer than this in the space of the object. Ours drops them by what is known
+// of the ray, and never one that the course's does not drop.
+inline constexpr double course_least_t = 1e-8;
 
 // A world ray in the space of an object. The direction is of unit length there, so a t found along it is
 // `scale` times the t in the world.
@@ -34,13 +66,18 @@ struct ObjectRay {
   Ray ray;
   double scale = 1;
 
+  // The direction is the difference of two points, which is the language's way and shows in the pictures'
+  // last bits, as long as it is good to 2^-40; far from the origin it is the direction times the matrix.
   ObjectRay(const Frame& frame, const Ray& world) {
     const Vec3 origin(frame.to_object * Vec4(world.origin, 1));
     const Vec3 end(frame.to_object * Vec4(world.origin + world.direction, 1));
-    const Vec3 along = end - origin;
-    scale = glm::length(along);
-    const double error = frame.to_object_stretch * world.origin_error + frame.error(largest(world.origin));
-    ray = {origin, glm::normalize(along), error, world.least_t * scale};
+    UnitVector along = unit_vector(end - origin);
+    if (!(frame.difference_error(largest(world.origin)) <= 0x1p-40 * along.length)) {
+      along = unit_vector(Vec3(frame.to_object * Vec4(world.direction, 0)));
+    }
+    scale = along.length;
+    const double origin_error = frame.to_object_stretch * world.origin_error + frame.error(largest(world.origin));
+    ray = {origin, along.direction, origin_error, std::min(world.least_t * scale, course_least_t)};
   }
 };
 
