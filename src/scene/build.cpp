@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "scene/far_away.hpp"
+#include "scene/few_warnings.hpp"
 #include "scene/graph.hpp"
 #include "scene/make_mesh.hpp"
 #include "scene/material_maps.hpp"
@@ -19,6 +21,7 @@ class SceneBuilder {
   SceneBuilder(parser::Scene& description, const parser::Source& source, ImageSource& images,
                parser::Diagnostics& diagnostics)
       : description_(description),
+        diagnostics_(diagnostics),
         textures_(source.directory(), images, diagnostics),
         resolver_(textures_, diagnostics) {}
 
@@ -26,10 +29,13 @@ class SceneBuilder {
     for (const parser::Item& item : description_.items) {
       std::visit([&](const auto& what) { add(what); }, item);
     }
-    const SceneGraph graph = make_graph(description_);
+    SceneGraph graph = make_graph(description_);
+    scene_.frames = std::move(graph.frames);
+    warn_of_singular(graph);
+    FewWarnings far(diagnostics_, "{} more objects are as far out for their size");
     for (const GraphObject& object : graph.objects) {
       resolve_scopes(graph, object.scopes_before);
-      add_object(graph, object);
+      add_object(object, far);
     }
     resolve_scopes(graph, graph.materials.size());  // for their errors
     scene_.textures = textures_.take();
@@ -137,18 +143,27 @@ class SceneBuilder {
   }
 
   // --- objects ---
-  void add_object(const SceneGraph& graph, const GraphObject& object) {
+  void warn_of_singular(const SceneGraph& graph) {
+    FewWarnings warnings(diagnostics_, "nothing inside {} more transforms is drawn");
+    for (const SingularTransform& transform : graph.singular) {
+      warnings.add(transform.keyword, transform.reason);
+    }
+  }
+
+  void add_object(const GraphObject& object, FewWarnings& far) {
     const std::uint32_t material = material_of(object);
     std::optional<Shape> shape =
         std::visit([&](const auto& s) { return make_shape(s, object); }, object.primitive->shape);
-    if (!shape) return;
-    const std::int64_t frame = frame_of(graph, object.node);
-    if (frame < 0) return;
-    const Mat4& to_world = scene_.frames[static_cast<std::size_t>(frame)].to_world;
-    const Bounds bounds = transformed(local_bounds(*shape), to_world);
+    if (!shape || object.frame < 0) return;
+    const Mat4& to_world = scene_.frames[static_cast<std::size_t>(object.frame)].to_world;
+    const Bounds local = local_bounds(*shape);
+    const Bounds bounds = transformed(local, to_world);
     if (bounds.empty()) return;
+    if (const auto far_away = find_far_away(local, to_world)) {
+      far.add(object.keyword, far_away->message(name_of(object.primitive->shape)));
+    }
     note_transmission(scene_.materials[material].values);
-    scene_.objects.push_back({*shape, bounds, static_cast<std::uint32_t>(frame), material});
+    scene_.objects.push_back({*shape, bounds, static_cast<std::uint32_t>(object.frame), material});
   }
 
   std::optional<Shape> make_shape(const parser::Sphere&, const GraphObject&) { return Sphere{}; }
@@ -191,27 +206,14 @@ class SceneBuilder {
         shape);
   }
 
-  // -1 where the place has no inverse.
-  std::int64_t frame_of(const SceneGraph& graph, std::uint32_t node) {
-    auto [entry, is_new] = frames_.try_emplace(node, -1);
-    if (is_new) {
-      const Frame frame(graph.nodes[node].to_world);
-      if (frame.invertible()) {
-        scene_.frames.push_back(frame);
-        entry->second = static_cast<std::int64_t>(scene_.frames.size() - 1);
-      }
-    }
-    return entry->second;
-  }
-
   parser::Scene& description_;
+  parser::Diagnostics& diagnostics_;
   TextureCache textures_;
   MaterialResolver resolver_;
   Scene scene_;
   ResolvedScope default_;
   std::vector<ResolvedScope> scopes_;
   std::vector<MappedMaterial> own_materials_;  // of the object that is being added
-  std::map<std::uint32_t, std::int64_t> frames_;
   std::map<std::uint32_t, std::vector<MappedMaterial>> vertex_materials_;
 };
 

@@ -1,13 +1,13 @@
 // The scene graph: objects at places, places under places.
 //
-// The description's elements become nodes with a composed matrix, and a list of the primitives in file order,
-// each with its node and the material it inherits. Walked without recursion.
+// The description's elements become a list of the primitives in file order, each with the frame of its place
+// and the material it inherits, and one frame for each place that has primitives. Walked without recursion.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
-#include "geometry/vector.hpp"
+#include "geometry/frame.hpp"
 #include "parser/description.hpp"
 
 namespace trace {
@@ -21,22 +21,27 @@ struct MaterialScope {
   MaterialScopeId inherits;
 };
 
-struct GraphNode {
-  Mat4 to_world{1};
-};
-
 struct GraphObject {
   const parser::Primitive* primitive;
   parser::Span span;
-  std::uint32_t node;
+  parser::Span keyword;
+  std::int64_t frame;         // index into SceneGraph::frames; -1 where the place has no inverse
   MaterialScopeId inherits;   // the default material at this point of the file
   std::size_t scopes_before;  // how many of SceneGraph::materials stand before it in the file
 };
 
+// A transform that leaves no inverse: what is inside is not drawn.
+struct SingularTransform {
+  parser::Span keyword;
+  std::string reason;  // "nothing inside this scale is drawn: its factor for z is 0"
+};
+
 struct SceneGraph {
-  std::vector<GraphNode> nodes;
+  std::vector<Frame> frames;
   std::vector<GraphObject> objects;
   std::vector<MaterialScope> materials;
+  // Those with objects inside, in file order; of nested ones the outermost.
+  std::vector<SingularTransform> singular;
 };
 
 // Refers into `description`, which must outlive it.

@@ -105,3 +105,42 @@ TEST_CASE("what cannot be seen is left out: no scale, no axis, no faces") {
   CHECK(std::holds_alternative<Box>(built.scene.objects[0].shape));
   CHECK_FALSE(built.diagnostics.has_errors());
 }
+
+TEST_CASE("20 000 nested rotations of every place and their undoing leave a sphere where it was") {
+  Describe d;
+  parser::ElementId inner = d.element(primitive(parser::Sphere{}));
+  const auto turn = [](int i, double angle) { return parser::Rotate{{1.0 + i % 7, 2, 3.0 - i % 11}, angle}; };
+  for (int i = 0; i < 10'000; ++i) inner = d.element(turn(i, -1e-3), {inner});
+  for (int i = 9'999; i >= 0; --i) inner = d.element(turn(i, 1e-3), {inner});
+  d.top(inner);
+  const Built built = build(d);
+  REQUIRE(built.scene.objects.size() == 1);
+  const Frame& frame = built.scene.frames[0];
+  CHECK(frame.error(1) < 1e-10);
+  for (const Vec3& p : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0, 0.8)}) {
+    CHECK(Vec3(frame.to_object * Vec4(p, 1)) == near(p, frame.error(1)));
+  }
+}
+
+TEST_CASE("objects of one place share a frame, in whatever groups they are") {
+  Describe d;
+  d.top(d.element(move_x, {d.element(parser::Group{},
+                                     {d.element(parser::Group{}, {d.element(primitive(parser::Box{}))}),
+                                      d.element(primitive(parser::Sphere{})),
+                                      d.element(parser::Group{}, {d.element(primitive(parser::Box{}))})})}));
+  d.top(primitive(parser::Sphere{}));
+  const Scene scene = build(d).scene;
+  REQUIRE(scene.objects.size() == 4);
+  CHECK(scene.frames.size() == 2);
+  CHECK(scene.objects[0].frame == scene.objects[1].frame);
+  CHECK(scene.objects[0].frame == scene.objects[2].frame);
+  CHECK(scene.objects[0].frame != scene.objects[3].frame);
+}
+
+TEST_CASE("a sphere scaled by 1e-110 is there") {
+  Describe d;
+  d.top(d.element(parser::Scale{{1e-110, 1e-110, 1e-110}}, {d.element(primitive(parser::Sphere{}))}));
+  const Built built = build(d);
+  REQUIRE(built.scene.objects.size() == 1);
+  CHECK(built.diagnostics.all().empty());
+}
