@@ -25,6 +25,7 @@ std::optional<std::size_t> face_of(const std::string& name) {
 }  // namespace
 
 Rgb CubeMap::lookup(const Vec3& d) const {
+  if (!is_finite(d) || is_zero(d)) return faces_[d.z < 0 ? 4 : 5].sample(Vec2(0));
   const double a = std::abs(d.x), b = std::abs(d.y), c = std::abs(d.z);
   int face;
   double u, v;

@@ -16,6 +16,8 @@ class CubeMap {
 
   // Faces are in the order +x -x +y -y posz negz. With |d.x| the largest the x faces, else with |d.y| > |d.z|
   // the y faces, else the z faces, of which `posz` is seen along -z. No filtering across edges.
+  // A direction of length zero or not finite sees the lower left corner of `negz`; of `posz` if its z is
+  // negative.
   Rgb lookup(const Vec3& direction) const;
 
  private:
