@@ -15,8 +15,8 @@ bool MeshGaps::counts(const MeshGap& gap) const {
 const MeshGap* MeshGaps::nearest() {
   const MeshGap* best = nullptr;
   for (const MeshGap& gap : gaps_) {
-    const bool nearer = !best || gap.hit.t < best->hit.t ||
-                        (gap.hit.t == best->hit.t && gap.face < best->face);
+    const bool nearer =
+        !best || gap.hit.t < best->hit.t || (gap.hit.t == best->hit.t && gap.face < best->face);
     if (nearer && counts(gap)) best = &gap;
   }
   return best;

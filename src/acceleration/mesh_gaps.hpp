@@ -3,8 +3,8 @@
 // Seen as the course's renderer decides, such places are pinholes. A mesh that is closed must not have them;
 // but the edge of a mesh, and an edge at which it turns away from the ray, may be touched or missed. So of
 // the triangles that are crossed exactly though the course's form misses them, one counts where the ray is
-// strictly within its edges, and one whose edge or corner the ray meets exactly only together with another that
-// faces the same way there: between the two the surface goes on.
+// strictly within its edges, and one whose edge or corner the ray meets exactly only together with another
+// that faces the same way there: between the two the surface goes on.
 #pragma once
 
 #include <vector>

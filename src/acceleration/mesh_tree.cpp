@@ -57,19 +57,20 @@ bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) c
 bool MeshTree::occludes(const Ray& ray, double scale, double limit) const {
   bool found = false;
   MeshGaps gaps;
-  traverse(bvh_, BvhRay(bvh_, ray), limit * scale, [&](std::uint32_t first, std::uint32_t count, double current) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      TriangleHit candidate;
-      const Meeting meeting = meet(i, ray, candidate);
-      if (meeting == Meeting::none || !(candidate.t / scale < limit)) continue;
-      if (meeting == Meeting::hit) {
-        found = true;
-        return -1.0;
-      }
-      gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, is_from_behind(i, ray)});
-    }
-    return current;
-  });
+  traverse(bvh_, BvhRay(bvh_, ray), limit * scale,
+           [&](std::uint32_t first, std::uint32_t count, double current) {
+             for (std::uint32_t i = first; i < first + count; ++i) {
+               TriangleHit candidate;
+               const Meeting meeting = meet(i, ray, candidate);
+               if (meeting == Meeting::none || !(candidate.t / scale < limit)) continue;
+               if (meeting == Meeting::hit) {
+                 found = true;
+                 return -1.0;
+               }
+               gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, is_from_behind(i, ray)});
+             }
+             return current;
+           });
   return found || gaps.nearest() != nullptr;
 }
 

@@ -46,6 +46,9 @@ bool render_to_file(const Job& job, const parser::Source& source, SharedImages& 
   Progress progress;
   const Rendered rendered = render(*loaded.scene, tree, job.options, progress);
   rays = rendered.rays.total();
+  if (rendered.non_finite.count > 0) {
+    messages += fmt::format("{}: warning: {}\n", job.scene, to_text(rendered.non_finite));
+  }
   try {
     write_image(job.picture, rendered.image);
   } catch (const ImageError& e) {

@@ -56,8 +56,8 @@ struct Frame {
   bool invertible_ = true;
 };
 
-// The course's renderer drops hits nearer than this in the space of the object. Ours drops them by what is known
-// of the ray, and never one that the course's does not drop.
+// The course's renderer drops hits nearer than this in the space of the object. Ours drops them by what is
+// known of the ray, and never one that the course's does not drop.
 inline constexpr double course_least_t = 1e-8;
 
 // A world ray in the space of an object. The direction is of unit length there, so a t found along it is
@@ -76,7 +76,8 @@ struct ObjectRay {
       along = unit_vector(Vec3(frame.to_object * Vec4(world.direction, 0)));
     }
     scale = along.length;
-    const double origin_error = frame.to_object_stretch * world.origin_error + frame.error(largest(world.origin));
+    const double origin_error =
+        frame.to_object_stretch * world.origin_error + frame.error(largest(world.origin));
     ray = {origin, along.direction, origin_error, std::min(world.least_t * scale, course_least_t)};
   }
 };

@@ -38,8 +38,8 @@ Meeting meets(const Triangle& triangle, const Ray& ray, TriangleHit& hit);
 bool crosses_exactly(const Corners& corners, const Ray& ray, TriangleHit& hit);
 
 // For what meets() leaves open: a `hit` where the course's form says so, a `gap` where it does not though the
-// ray crosses the triangle, an `edge_gap` where it does so exactly in an edge or corner. What becomes of gaps is
-// decided by what else there is at the same place (acceleration/mesh_gaps.hpp).
+// ray crosses the triangle, an `edge_gap` where it does so exactly in an edge or corner. What becomes of gaps
+// is decided by what else there is at the same place (acceleration/mesh_gaps.hpp).
 Meeting meets_after_all(const Corners& corners, const Ray& ray, TriangleHit& hit);
 
 // Whether two hits are as near to each other along a ray as two that are well determined and should be equal:

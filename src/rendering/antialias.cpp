@@ -43,14 +43,16 @@ void antialias(FrameRenderer& frame, Image& image) {
 
   const auto refine = [&](const FrameRenderer::Sampler& sampler, int i, int j) {
     std::uint8_t* p = pixel(image, i, j);
-    Rgb sum(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0);
+    PartialRgb sum(Rgb(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0));
     for (int a = 0; a < n; ++a) {
       for (int b = a == 0 ? 1 : 0; b < n; ++b) {
-        sum += clamped(
-            sampler.at((static_cast<double>(i) * n + a) * step_x, (static_cast<double>(j) * n + b) * step_y));
+        const PartialRgb sample =
+            sampler.at((static_cast<double>(i) * n + a) * step_x, (static_cast<double>(j) * n + b) * step_y);
+        frame.non_finite().watch(i, j, sample);
+        sum += PartialRgb(clamped(sample.value), sample.undefined);
       }
     }
-    set_pixel(image, i, j, sum / static_cast<double>(n * n));
+    set_pixel(image, i, j, sum.value / static_cast<double>(n * n));
   };
   frame.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     for (int j = y0; j < y1; ++j) {

@@ -7,7 +7,8 @@
 namespace trace {
 
 // Cuts the picture into blocks from the lower left. A block whose four corner pixels are no further apart
-// than the threshold is filled between them bilinearly; another is cut into four halves, down to 2 x 2.
+// than the threshold is filled between them bilinearly; another is cut into four halves, down to 2 x 2. An
+// undefined colour is like no other.
 void render_blocks(FrameRenderer& frame, Image& image);
 
 }  // namespace trace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "rendering/non_finite.hpp"
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
 #include "scene/camera.hpp"
@@ -23,6 +24,7 @@ class FrameRenderer {
         caster_(scene.camera),
         height_(height),
         progress_(progress),
+        non_finite_(options.width, height),
         counts_(static_cast<std::size_t>(threads)) {}
 
   // Colours of points of the picture, for one thread.
@@ -36,14 +38,14 @@ class FrameRenderer {
           height_(frame.height_) {}
 
     // (0, 0) is the lower left corner of the picture, (1, 1) the upper right.
-    Rgb at(double x, double y) const { return tracer_.trace(caster_.cast(x, y), depth_); }
+    PartialRgb at(double x, double y) const { return tracer_.trace(caster_.cast(x, y), depth_); }
     // The sample of a pixel is its lower left corner; j counts from the bottom.
-    Rgb pixel(int i, int j) const { return pixel(column(i), row(j)); }
+    PartialRgb pixel(int i, int j) const { return pixel(column(i), row(j)); }
 
     // The same in two steps, for whole tiles.
     Vec3 column(int i) const { return caster_.across(i / static_cast<double>(width_)); }
     Vec3 row(int j) const { return caster_.upward(j / static_cast<double>(height_)); }
-    Rgb pixel(const Vec3& column, const Vec3& row) const {
+    PartialRgb pixel(const Vec3& column, const Vec3& row) const {
       return tracer_.trace(caster_.cast(column, row), depth_);
     }
 
@@ -62,6 +64,10 @@ class FrameRenderer {
   template <class Body>
   void for_each_tile(int edge, Body&& body);
 
+  // Whoever has traced a sample of a pixel shows it to this.
+  NonFiniteMap& non_finite() { return non_finite_; }
+  const NonFiniteMap& non_finite() const { return non_finite_; }
+
   RayCounts counts() const {
     RayCounts sum;
     for (const ThreadCounts& counts : counts_) sum += counts.rays;
@@ -75,6 +81,7 @@ class FrameRenderer {
   RayCaster caster_;
   int height_;
   Progress& progress_;
+  NonFiniteMap non_finite_;
   struct alignas(64) ThreadCounts {  // a cache line of its own
     RayCounts rays;
   };

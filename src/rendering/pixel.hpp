@@ -8,7 +8,8 @@
 
 namespace trace {
 
-// A channel limited to [0, 1]; what is undefined (NaN) stays so.
+// A channel limited to [0, 1]; infinities too. Never NaN: an undefined channel has the value 0
+// (shading/partial_rgb.hpp).
 inline double clamped(double c) {
   return c < 0 ? 0 : (c > 1 ? 1 : c);
 }
@@ -16,9 +17,9 @@ inline Rgb clamped(const Rgb& c) {
   return {clamped(c.x), clamped(c.y), clamped(c.z)};
 }
 
-// int(255 c), truncated, of a channel in [0, 1]; undefined is black. No gamma.
+// int(255 c), truncated, of a channel in [0, 1]. No gamma.
 inline std::uint8_t to_byte(double c) {
-  return c == c ? static_cast<std::uint8_t>(255 * c) : std::uint8_t{0};
+  return static_cast<std::uint8_t>(255 * c);
 }
 
 // A pixel of an image by column and row counted from the bottom.

@@ -20,7 +20,9 @@ void render_pixels(FrameRenderer& frame, Image& image) {
     for (int j = y0; j < y1; ++j) {
       const Vec3 row = sampler.row(j);
       for (int i = x0; i < x1; ++i) {
-        set_pixel(image, i, j, sampler.pixel(columns[static_cast<std::size_t>(i - x0)], row));
+        const PartialRgb color = sampler.pixel(columns[static_cast<std::size_t>(i - x0)], row);
+        frame.non_finite().watch(i, j, color);
+        set_pixel(image, i, j, color.value);
       }
     }
   });
@@ -52,6 +54,7 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   }
   if (refine) antialias(frame, result.image);
   result.rays = frame.counts();
+  result.non_finite = frame.non_finite().found();
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.hpp"
+#include "rendering/non_finite.hpp"
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
 
@@ -10,6 +11,7 @@ namespace trace {
 struct Rendered {
   Image image;
   RayCounts rays;
+  NonFinitePixels non_finite;
 };
 
 // Rows of the picture: int(width / aspect ratio + 0.5). Below 1, or beyond image/size_limits.hpp, there is no

@@ -12,12 +12,23 @@ Vec3 highlight_direction(const Vec3& normal, const Vec3& towards_light, bool fro
   return 2 * std::max(0.0, cosine) * normal - towards_light;
 }
 
+// What a surface sends to the viewer of light of one direction, and of that which a light sends; in plain
+// numbers, or with Color = PartialRgb by its rules.
+template <class Color>
+Color reflected_share(const Material& material, double diffuse, double specular) {
+  return Color(material.diffuse) * Color(Rgb(diffuse)) + Color(material.specular) * Color(Rgb(specular));
+}
+template <class Color>
+Color received(const Rgb& light, double attenuation, const Color& shadow, const Color& share) {
+  return Color(light) * Color(Rgb(attenuation)) * shadow * share;
+}
+
 }  // namespace
 
-Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
-                  const Surface& surface, const Vec3& toward_surface, RayCounts& counts) {
+PartialRgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                         const Surface& surface, const Vec3& toward_surface, RayCounts& counts) {
   const Material& material = surface.material();
-  Rgb color = material.emissive + material.ambient * scene.ambient;
+  PartialRgb color = material.emissive + PartialRgb(material.ambient) * scene.ambient;
   const bool transmits = material.transmits();
   Vec3 normal = surface.normal();
   if (!is_finite(normal)) return color;
@@ -34,17 +45,22 @@ Rgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOption
   for (const Light& light : scene.lights) {
     const LightSample sample = std::visit([&](const auto& l) { return l.sample(surface.point()); }, light);
     const Rgb& light_color = std::visit([](const auto& l) -> const Rgb& { return l.color; }, light);
-    if (!is_finite(sample.towards)) continue;
+    if (!sample.reaches) continue;
     const double cosine = glm::dot(normal, sample.towards);
     const double diffuse = transmits ? std::abs(cosine) : std::max(0.0, cosine);
     const Vec3 highlight =
         highlight_direction(normal, sample.towards, options.backface_specular && transmits);
     const double specular = std::pow(std::max(0.0, glm::dot(highlight, to_viewer)), shininess);
-    const Rgb reflected = material.diffuse * diffuse + material.specular * specular;
-    if (may_skip && is_zero(reflected)) continue;
-    const Rgb shadow =
+    const Rgb share = reflected_share<Rgb>(material, diffuse, specular);
+    if (may_skip && is_zero(share)) continue;
+    const PartialRgb shadow =
         shadow_attenuation(scene, tree, options, surface.leaving(sample.towards), sample.distance, counts);
-    color += light_color * sample.attenuation * shadow * reflected;
+    const PartialRgb light_here(received<Rgb>(light_color, sample.attenuation, shadow.value, share),
+                                shadow.undefined);
+    color += light_here.finite()
+                 ? light_here
+                 : received<PartialRgb>(light_color, sample.attenuation, shadow,
+                                        reflected_share<PartialRgb>(material, diffuse, specular));
   }
   return color;
 }

@@ -1,15 +1,17 @@
 #include "shading/shadow.hpp"
 
+#include "shading/transmittance.hpp"
+
 namespace trace {
 
-Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, Ray ray,
-                       double distance, RayCounts& counts) {
-  if (!options.shadows) return Rgb(1);
+PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                              Ray ray, double distance, RayCounts& counts) {
+  if (!options.shadows || !is_finite(ray.origin)) return Rgb(1);
   if (!scene.has_transmissive_objects) {
     ++counts.shadow;
     return Rgb(tree.occluded(ray, distance) ? 0 : 1);
   }
-  Rgb left(1);
+  PartialRgb left(Rgb(1));
   for (;;) {
     ++counts.shadow;
     const Hit hit = tree.closest(ray, false);
@@ -17,7 +19,8 @@ Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingO
     const Surface surface(scene, ray, hit, options.smooth_shading);
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
-    if (glm::dot(surface.normal(), ray.direction) > 0) left *= glm::pow(material.transmissive, Rgb(hit.t));
+    if (glm::dot(surface.normal(), ray.direction) > 0)
+      left = left * transmittance(material.transmissive, hit.t);
     // Where coordinates are so large that the step is lost in rounding, the same surface would be met for
     // ever.
     if (surface.point() == ray.origin) return left;

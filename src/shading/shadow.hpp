@@ -2,15 +2,17 @@
 #pragma once
 
 #include "shading/options.hpp"
+#include "shading/partial_rgb.hpp"
 #include "shading/ray_counts.hpp"
 #include "shading/surface.hpp"
 
 namespace trace {
 
 // Walks along `ray`, from a surface towards the light, at most `distance`: nothing in the way leaves 1, an
-// opaque surface 0, and each passage out of a transmissive one multiplies by kt ^ (distance since the last
-// crossing). Entering costs nothing. No culling.
-Rgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, Ray ray,
-                       double distance, RayCounts& counts);
+// opaque surface 0, and each passage out of a transmissive one multiplies by the transmittance of the
+// distance since the last crossing. Entering costs nothing. No culling. From a point that is not finite
+// nothing is in the way.
+PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                              Ray ray, double distance, RayCounts& counts);
 
 }  // namespace trace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shading/options.hpp"
+#include "shading/partial_rgb.hpp"
 #include "shading/ray_counts.hpp"
 #include "shading/surface.hpp"
 
@@ -17,20 +18,24 @@ class WhittedTracer {
   WhittedTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, RayCounts& counts)
       : scene_(scene), tree_(tree), options_(options), counts_(counts) {}
 
-  // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; a
-  // channel may be NaN, which stands for black.
-  Rgb trace(const Ray& ray, int depth) const;
+  // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; it may
+  // be infinite or undefined.
+  //
+  // A ray that leads nowhere hits nothing, and the cube map gives its colour as ever: one whose direction is
+  // of length zero or not finite (a camera whose vectors cancel, or whose squares are beyond the range of
+  // numbers), or whose origin is not finite. It is not handed to the hierarchy.
+  PartialRgb trace(const Ray& ray, int depth) const;
 
  private:
   enum class Kind { visibility, reflection, refraction };
   struct Result {
-    Rgb color;
-    double t;  // of the hit; -1 for none, which attenuation uses as it is
+    PartialRgb color;
+    double t;  // of the hit; length_of_miss for none
   };
 
   Result trace(const Ray& ray, Kind kind, int depth) const;
-  Rgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth) const;
-  Rgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth) const;
+  PartialRgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth) const;
+  PartialRgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth) const;
 
   const Scene& scene_;
   const SceneTree& tree_;

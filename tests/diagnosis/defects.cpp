@@ -49,7 +49,7 @@ Raster picture(const Scene& scene, const Way& way) {
   frame.for_each_tile(32, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     for (int j = y0; j < y1; ++j)
       for (int i = x0; i < x1; ++i) {
-        Rgb color = sampler.at((i + way.shift_x) / width, (j + way.shift_y) / height);
+        Rgb color = sampler.at((i + way.shift_x) / width, (j + way.shift_y) / height).value;
         if (way.tone) color = {way.tone(color.x), way.tone(color.y), way.tone(color.z)};
         if (!way.wrap) {
           set_pixel(image, i, j, color);

@@ -5,31 +5,19 @@
 using namespace trace;
 using namespace trace::test;
 
-TEST_CASE("a byte is 255 times the limited channel, truncated; undefined is black") {
+TEST_CASE("a byte is 255 times the limited channel, truncated") {
   const double infinity = std::numeric_limits<double>::infinity();
-  const std::pair<double, int> table[] = {{0.5, 127},
-                                          {0.999, 254},
-                                          {0.0039, 0},
-                                          {0.00392157, 1},
-                                          {0.0078, 1},
-                                          {1.5, 255},
-                                          {-0.5, 0},
-                                          {0, 0},
-                                          {1, 255},
-                                          {-0.0, 0},
-                                          {infinity, 255},
-                                          {-infinity, 0},
-                                          {std::numeric_limits<double>::quiet_NaN(), 0}};
+  const std::pair<double, int> table[] = {{0.5, 127},  {0.999, 254}, {0.0039, 0},     {0.00392157, 1},
+                                          {0.0078, 1}, {1.5, 255},   {-0.5, 0},       {0, 0},
+                                          {1, 255},    {-0.0, 0},    {infinity, 255}, {-infinity, 0}};
   for (const auto& [channel, byte] : table) {
     INFO(channel);
     CHECK(static_cast<int>(to_byte(clamped(channel))) == byte);
   }
 }
 
-TEST_CASE("limiting a colour leaves each channel by itself, and undefined ones undefined") {
-  const Rgb c = clamped(Rgb(-1, 2, 0.25));
-  CHECK(c == Rgb(0, 1, 0.25));
-  CHECK(std::isnan(clamped(Rgb(0, std::numeric_limits<double>::quiet_NaN(), 0)).y));
+TEST_CASE("limiting a colour leaves each channel by itself") {
+  CHECK(clamped(Rgb(-1, 2, 0.25)) == Rgb(0, 1, 0.25));
 }
 
 TEST_CASE("every byte over 255 becomes itself again, but for the roundings of division") {

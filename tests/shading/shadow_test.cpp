@@ -15,14 +15,15 @@ const Material opaque{};
 
 struct Shadow {
   Rgb left;
+  Channels undefined;
   std::uint64_t rays;
 };
 
 Shadow shadow(const Scene& scene, double distance = infinity, const ShadingOptions& options = {}) {
   const SceneTree tree(scene);
   RayCounts counts;
-  const Rgb left = shadow_attenuation(scene, tree, options, Vec3(0), Vec3(0, 0, 1), distance, counts);
-  return {left, counts.shadow};
+  const PartialRgb left = shadow_attenuation(scene, tree, options, Vec3(0), Vec3(0, 0, 1), distance, counts);
+  return {left.value, left.undefined, counts.shadow};
 }
 
 }  // namespace
@@ -134,7 +135,8 @@ TEST_CASE("a walk through glass ends where coordinates are too large for steps t
     const double angle = i * 0.031;
     const Vec3 n(std::cos(angle), std::sin(angle) * 0.6, std::sin(angle) * 0.8);
     const Rgb left =
-        shadow_attenuation(scene, tree, {}, Vec3(1e9) + n, glm::normalize(Vec3(1, 1, 1)), infinity, counts);
+        shadow_attenuation(scene, tree, {}, Vec3(1e9) + n, glm::normalize(Vec3(1, 1, 1)), infinity, counts)
+            .value;
     REQUIRE((left.x >= 0 && left.x <= 1));
   }
   CHECK(counts.shadow < 200 * 100);

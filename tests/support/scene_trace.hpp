@@ -8,14 +8,17 @@
 namespace trace::test {
 
 struct Traced {
-  Rgb color;
+  Rgb color;           // 0 where undefined
+  Channels undefined;  // channels
   RayCounts rays;
 };
 
 inline Traced traced(const Scene& scene, const Ray& ray, int depth = 0, const ShadingOptions& options = {}) {
   const SceneTree tree(scene);
   Traced result;
-  result.color = WhittedTracer(scene, tree, options, result.rays).trace(ray, depth);
+  const PartialRgb color = WhittedTracer(scene, tree, options, result.rays).trace(ray, depth);
+  result.color = color.value;
+  result.undefined = color.undefined;
   return result;
 }
 

@@ -112,6 +112,10 @@ int run(Arguments& arguments) {
     return exit_cannot_write;
   }
   statistics.lap(Stage::write);
+  if (rendered.non_finite.count > 0 && !arguments.quiet) {
+    fmt::print(stderr, "{}: warning: {}\n", arguments.scene == "-" ? "<stdin>" : arguments.scene,
+               to_text(rendered.non_finite));
+  }
   if (arguments.stats) fmt::print(stderr, "{}", statistics.report(scene, rendered));
   return exit_done;
 }
