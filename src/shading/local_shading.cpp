@@ -12,8 +12,13 @@ Vec3 highlight_direction(const Vec3& normal, const Vec3& towards_light, bool fro
   return 2 * std::max(0.0, cosine) * normal - towards_light;
 }
 
-// What a surface sends to the viewer of light of one direction, and of that which a light sends; in plain
-// numbers, or with Color = PartialRgb by its rules.
+// The formulas, in plain numbers (Color = Rgb) or by the rules of PartialRgb, which are needed only where the
+// plain result is not finite: what a surface shows of itself, what share of one light's light it sends to the
+// viewer, and how much that is.
+template <class Color>
+Color own_light(const Material& material, const Rgb& ambient) {
+  return Color(material.emissive) + Color(material.ambient) * Color(ambient);
+}
 template <class Color>
 Color reflected_share(const Material& material, double diffuse, double specular) {
   return Color(material.diffuse) * Color(Rgb(diffuse)) + Color(material.specular) * Color(Rgb(specular));
@@ -28,7 +33,8 @@ Color received(const Rgb& light, double attenuation, const Color& shadow, const 
 PartialRgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
                          const Surface& surface, const Vec3& toward_surface, RayCounts& counts) {
   const Material& material = surface.material();
-  PartialRgb color = material.emissive + PartialRgb(material.ambient) * scene.ambient;
+  PartialRgb color(own_light<Rgb>(material, scene.ambient));
+  if (!color.finite()) color = own_light<PartialRgb>(material, scene.ambient);
   const bool transmits = material.transmits();
   Vec3 normal = surface.normal();
   if (!is_finite(normal)) return color;
@@ -55,12 +61,14 @@ PartialRgb shade_locally(const Scene& scene, const SceneTree& tree, const Shadin
     if (may_skip && is_zero(share)) continue;
     const PartialRgb shadow =
         shadow_attenuation(scene, tree, options, surface.leaving(sample.towards), sample.distance, counts);
-    const PartialRgb light_here(received<Rgb>(light_color, sample.attenuation, shadow.value, share),
-                                shadow.undefined);
-    color += light_here.finite()
-                 ? light_here
-                 : received<PartialRgb>(light_color, sample.attenuation, shadow,
-                                        reflected_share<PartialRgb>(material, diffuse, specular));
+    const PartialRgb sum(color.value + received<Rgb>(light_color, sample.attenuation, shadow.value, share),
+                         color.undefined | shadow.undefined);
+    if (sum.finite()) {
+      color = sum;
+    } else {
+      color += received<PartialRgb>(light_color, sample.attenuation, shadow,
+                                    reflected_share<PartialRgb>(material, diffuse, specular));
+    }
   }
   return color;
 }

@@ -6,6 +6,13 @@
 
 namespace trace {
 
+// Whether every component is finite, by one comparison: 0 times a number is 0, and times infinity or NaN is
+// NaN.
+inline bool all_finite(const Vec3& v) {
+  const Vec3 zero = v * 0.0;
+  return zero.x + zero.y + zero.z == 0;
+}
+
 // `value` holds numbers and infinities, never NaN: where arithmetic says nothing of a channel, it is in
 // `undefined` and its value is 0. Undefined are nothing times infinity, infinity less infinity, a broken
 // power of a negative number (transmittance.hpp), and whatever an undefined channel is multiplied with (even
@@ -19,7 +26,7 @@ struct PartialRgb {
   PartialRgb(const Rgb& v, Channels u) : value(v), undefined(u) {}
 
   // Whether every channel is a number.
-  bool finite() const { return !undefined.any() && is_finite(value); }
+  bool finite() const { return !undefined.any() && all_finite(value); }
 };
 
 // The rules above, channel by channel; for the operators, which are fast where all is finite.

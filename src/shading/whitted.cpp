@@ -8,7 +8,7 @@ namespace trace {
 namespace {
 
 bool leads_somewhere(const Ray& ray) {
-  return is_finite(ray.origin) && is_finite(ray.direction) && !is_zero(ray.direction);
+  return all_finite(ray.origin) && all_finite(ray.direction) && !is_zero(ray.direction);
 }
 
 }  // namespace
