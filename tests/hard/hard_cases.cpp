@@ -6,7 +6,9 @@ namespace trace::hard {
 
 std::vector<HardCase> hard_cases() {
   std::vector<HardCase> cases;
+  add_triangle_cases(cases);
   add_traversal_cases(cases);
+  add_leaving_cases(cases);
   std::stable_sort(cases.begin(), cases.end(),
                    [](const HardCase& a, const HardCase& b) { return a.row < b.row; });
   return cases;

@@ -1,0 +1,43 @@
+// How the hard cases reach what they try: each way in one place.
+#pragma once
+
+#include <vector>
+
+#include "shading/surface.hpp"
+#include "tests/hard/exact.hpp"
+
+namespace trace::hard {
+
+struct FaceHit {
+  std::uint32_t face;
+  double t;
+};
+
+inline Corners corners(const Mesh& mesh, std::uint32_t face) {
+  const FaceCorners& f = mesh.faces[face];
+  return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
+}
+
+// The triangle predicate on one face.
+inline bool meets(const Mesh& mesh, std::uint32_t face, const Ray& ray, double& t) {
+  TriangleHit hit;
+  if (!intersect(mesh.triangle(face), ray, hit)) return false;
+  t = hit.t;
+  return true;
+}
+
+// All faces that the predicate accepts, in the order of the file, without a hierarchy.
+inline void all_hits(const Mesh& mesh, const Ray& ray, std::vector<FaceHit>& hits) {
+  hits.clear();
+  double t = 0;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (meets(mesh, face, ray, t)) hits.push_back({face, t});
+  }
+}
+
+// A secondary ray: from the surface that `ray` met at `hit`.
+inline Ray leaving(const Scene& scene, const Ray& ray, const Hit& hit, const Vec3& direction) {
+  return {Surface(scene, ray, hit, false).point(), direction};
+}
+
+}  // namespace trace::hard
