@@ -12,10 +12,10 @@ class Configuration:
     needs: tuple = ()  # flags of the processor, as /proc/cpuinfo calls them
     environment: tuple = ()  # pairs, for the programs while they run
     folder: str = ""  # of the build; its name if empty
+    note: str = ""  # printed beside the flags
 
     def told(self):
-        words = [self.build_type, self.flags, "ASan + UBSan" if self.sanitize else ""]
-        return " ".join(filter(None, words + [value.split(".")[-1] for _, value in self.environment]))
+        return " ".join(filter(None, [self.build_type, self.flags, "ASan + UBSan" if self.sanitize else "", self.note]))
 
 
 # What x86-64-v3 has beyond x86-64-v2 (the System V ABI for x86-64, "micro-architecture levels"); lzcnt is abm here.
@@ -33,8 +33,9 @@ def of_compiler(name):
 # glibc chooses pow, tan and others by the processor when a program starts, whatever it was compiled for: with fused
 # multiply-add or without, and the two round differently. What other machines would draw is seen by telling it that
 # this one has none.
-PLAIN_LIBRARY = Configuration("g++-libm-without-fma", "g++", "Release", "-march=x86-64", folder="g++-x86-64",
-                              environment=(("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2"),))
+PLAIN_LIBRARY = Configuration("g++-libm-without-fma", "g++", "Release", "-march=x86-64",
+                              environment=(("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2"),),
+                              folder="g++-x86-64", note="libm: no FMA")
 
 CONFIGURATIONS = [*of_compiler("g++"), *of_compiler("clang++"), PLAIN_LIBRARY]
 REFERENCE = CONFIGURATIONS[0]

@@ -14,9 +14,8 @@ class HardCases:
 def digests(build, rays_scale):
     if build.hard_cases is None:
         return HardCases([], [], "skipped: no target")
-    scale = ["--rays-scale", rays_scale] if rays_scale else []
-    done = subprocess.run([build.hard_cases, "--digest", *scale], env=build.environment, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run([build.hard_cases, "--digest", "--rays-scale", rays_scale], env=build.environment,
+                          stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", check=False)
     complaints = []
     if done.returncode != 0:
         said = (done.stderr.strip() or done.stdout.strip() or "nothing said").splitlines()
