@@ -52,7 +52,7 @@ bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {
   if (!roots_of_side(ray, a, c, roots)) return false;
   // As for the sphere.
   const double unsure = 4 * ray.origin_error + 2 * gamma(4);
-  const bool inward = ray.origin.x * ray.direction.x + ray.origin.y * ray.direction.y < 0;
+  const double b = -(ray.origin.x * ray.direction.x + ray.origin.y * ray.direction.y);  // positive inward
   const auto meets = [&](double t) {
     if (!(t > ray.least_t)) return false;
     const Vec3 p = ray.at(t);
@@ -61,8 +61,8 @@ bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {
     hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
     return true;
   };
-  if (c >= -unsure && !inward) return false;
-  return (c > unsure && meets(roots.first)) || meets(roots.second);
+  if (c > unsure) return b > 0 && (meets(roots.first) || meets(roots.second));
+  return (c < -unsure || leaves_inward(b, unsure, roots.second)) && meets(roots.second);
 }
 
 bool Cylinder::intersect_caps(const Ray& ray, LocalHit& hit) const {

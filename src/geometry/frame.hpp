@@ -56,10 +56,6 @@ struct Frame {
   bool invertible_ = true;
 };
 
-// The course's renderer drops hits nearer than this in the space of the object. Ours drops them by what is
-// known of the ray, and never one that the course's does not drop.
-inline constexpr double course_least_t = 1e-8;
-
 // A world ray in the space of an object. The direction is of unit length there, so a t found along it is
 // `scale` times the t in the world.
 struct ObjectRay {

@@ -1,6 +1,7 @@
 // Where a ray meets a quadric, and when rounding could decide it.
 #pragma once
 
+#include "geometry/ray.hpp"
 #include "geometry/rounding.hpp"
 
 namespace trace {
@@ -31,6 +32,13 @@ struct Discriminant {
 inline Roots stable_roots(double a, double h, double c, double root) {
   const double q = h > 0 ? -(h + root) : root - h;
   return h > 0 ? Roots{q / a, c / q} : Roots{c / q, q / a};
+}
+
+// Whether a ray that starts on a sphere or cylinder goes into it and so meets its far side. `inward` is the
+// cosine with the inward normal, off by `unsure` at most. Of a ray that is tangent as far as that tells, the
+// rounding of the origin decides, as in the course's pictures: a little inside, and it does.
+inline bool leaves_inward(double inward, double unsure, double far_t) {
+  return std::abs(inward) <= unsure ? far_t > course_least_t : inward > 0;
 }
 
 }  // namespace trace

@@ -7,6 +7,10 @@
 
 namespace trace {
 
+// What the course's renderer has instead: it drops every hit nearer than this in the space of the object. It
+// decides here only where bounds of errors leave open what is right.
+inline constexpr double course_least_t = 1e-8;
+
 // There is no smallest distance for a hit. A ray that leaves a surface knows instead how well its origin is
 // known, and a hit is dropped exactly where the origin cannot be told from lying on the surface that is hit
 // (docs/numerics.md).

@@ -43,12 +43,11 @@ bool Sphere::intersect(const Ray& given, LocalHit& hit) const {
   // origin may be off by its error, so by sqrt(3) times as much along the normal. c itself is off by gamma(4)
   // (o.o + 1).
   const double unsure = 4 * ray.origin_error + 2 * gamma(4);
-  const bool inward = b > 0;
   if (c > unsure) {
-    if (!inward) return false;
+    if (!(b > 0)) return false;
     hit.t = roots.first;
   } else {
-    if (c >= -unsure && !inward) return false;
+    if (c >= -unsure && !leaves_inward(b, unsure, roots.second)) return false;
     hit.t = roots.second;
   }
   if (!(hit.t > ray.least_t)) return false;

@@ -37,7 +37,7 @@ PartialRgb shade_locally(const Scene& scene, const SceneTree& tree, const Shadin
   if (!color.finite()) color = own_light<PartialRgb>(material, scene.ambient);
   const bool transmits = material.transmits();
   Vec3 normal = surface.normal();
-  if (!is_finite(normal)) return color;
+  if (!all_finite(surface.point() * 0.0 + normal)) return color;
   if (glm::dot(normal, toward_surface) > 0) {
     if (!transmits) return color;
     normal = -normal;

@@ -6,7 +6,7 @@ namespace trace {
 
 PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
                               Ray ray, double distance, RayCounts& counts) {
-  if (!options.shadows || !all_finite(ray.origin)) return Rgb(1);
+  if (!options.shadows) return Rgb(1);
   if (!scene.has_transmissive_objects) {
     ++counts.shadow;
     return Rgb(tree.occluded(ray, distance) ? 0 : 1);

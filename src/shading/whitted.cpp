@@ -8,7 +8,7 @@ namespace trace {
 namespace {
 
 bool leads_somewhere(const Ray& ray) {
-  return all_finite(ray.origin) && all_finite(ray.direction) && !is_zero(ray.direction);
+  return all_finite(ray.origin * 0.0 + ray.direction) && !is_zero(ray.direction);
 }
 
 }  // namespace
@@ -19,8 +19,8 @@ PartialRgb WhittedTracer::trace(const Ray& ray, int depth) const {
 }
 
 WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth) const {
-  Hit hit;
-  if (leads_somewhere(ray)) hit = tree_.closest(ray, options_.backface_culling && kind != Kind::refraction);
+  const bool cull = options_.backface_culling && kind != Kind::refraction;
+  const Hit hit = leads_somewhere(ray) ? tree_.closest(ray, cull) : Hit();
   if (!hit) return {scene_.cube_map ? scene_.cube_map->lookup(ray.direction) : Rgb(0), length_of_miss};
   const Surface surface(scene_, ray, hit, options_.smooth_shading);
 

@@ -18,12 +18,14 @@ inline Corners corners(const Mesh& mesh, std::uint32_t face) {
   return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
 }
 
-// The triangle predicate on one face.
+// The triangle predicate on one face: the fast form where it is certain, else the exact one.
 inline bool meets(const Mesh& mesh, std::uint32_t face, const Ray& ray, double& t) {
   TriangleHit hit;
-  if (!intersect(mesh.triangle(face), ray, hit)) return false;
+  const Meeting meeting = trace::meets(mesh.triangle(face), ray, hit);
+  const bool met =
+      meeting == Meeting::unsure ? crosses_exactly(mesh.corners(face), ray, hit) : meeting == Meeting::hit;
   t = hit.t;
-  return true;
+  return met;
 }
 
 // All faces that the predicate accepts, in the order of the file, without a hierarchy.
@@ -37,7 +39,7 @@ inline void all_hits(const Mesh& mesh, const Ray& ray, std::vector<FaceHit>& hit
 
 // A secondary ray: from the surface that `ray` met at `hit`.
 inline Ray leaving(const Scene& scene, const Ray& ray, const Hit& hit, const Vec3& direction) {
-  return {Surface(scene, ray, hit, false).point(), direction};
+  return Surface(scene, ray, hit, false).leaving(direction);
 }
 
 }  // namespace trace::hard

@@ -39,7 +39,8 @@ Scene shapes() {
 TEST_CASE("a ray without a direction hits nothing and sees a corner of the cube map") {
   Scene scene = shapes();
   const Vec3 origin = GENERATE(Vec3(0), Vec3(0, 0, 5), Vec3(0.2, 0.1, 0));
-  const Vec3 none = GENERATE(Vec3(0), Vec3(-0.0), Vec3(no_number), Vec3(infinity, no_number, no_number), Vec3(0, 0, infinity));
+  const Vec3 none = GENERATE(Vec3(0), Vec3(-0.0), Vec3(no_number), Vec3(infinity, no_number, no_number),
+                             Vec3(0, 0, infinity));
   CHECK(seen(scene, {origin, none}, 3) == Rgb(0));
   number_faces(scene);
   const Traced corner = traced(scene, {origin, none}, 3);

@@ -1,5 +1,7 @@
 #include "tests/support/scene_random.hpp"
 
+#include "acceleration/mesh_gaps.hpp"
+
 namespace trace::test {
 namespace {
 
@@ -32,20 +34,32 @@ Mat4 random_place(Random& random, double unit) {
          glm::scale(Mat4(1), random.below(4) == 0 ? -scale : scale);
 }
 
+}  // namespace
+
 bool nearest_face(const Mesh& mesh, const Ray& ray, bool cull, LocalHit& hit) {
-  bool found = false;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  hit.t = infinity;
+  MeshGaps gaps;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     const Triangle triangle = mesh.triangle(face);
     TriangleHit candidate;
-    if (!intersect(triangle, ray, candidate) || (found && candidate.t >= hit.t)) continue;
-    if (cull && glm::dot(glm::cross(triangle.ab, triangle.ac), ray.direction) > 0) continue;
-    hit = {candidate.t, {0, 0, 1}, {candidate.u, candidate.v}, face};
-    found = true;
+    Meeting meeting = meets(triangle, ray, candidate);
+    if (meeting == Meeting::unsure) meeting = meets_after_all(mesh.corners(face), ray, candidate);
+    if (meeting == Meeting::none) continue;
+    const bool from_behind = glm::dot(face_normal(triangle), ray.direction) > 0;
+    if (cull && from_behind) continue;
+    if (meeting == Meeting::hit) {
+      if (candidate.t < hit.t) hit = {candidate.t, {0, 0, 1}, {candidate.u, candidate.v}, face, false};
+    } else {
+      gaps.add({candidate, face, meeting == Meeting::edge_gap, from_behind});
+    }
   }
-  return found;
+  const MeshGap* gap = gaps.nearest();
+  if (gap && gap->hit.t < hit.t && !same_place(hit.t, gap->hit.t)) {
+    hit = {gap->hit.t, {0, 0, 1}, {gap->hit.u, gap->hit.v}, gap->face, true};
+  }
+  return hit.t < infinity;
 }
-
-}  // namespace
 
 Scene random_scene(Random& random, int size, double unit) {
   Scene scene;
@@ -95,7 +109,7 @@ Ray random_ray(Random& random, double unit) {
 }
 
 Hit closest_of_all(const Scene& scene, const Ray& ray, bool cull) {
-  Hit best;
+  Hit best, gap;
   for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
     const Object& object = scene.objects[id];
     if (!hits_bounds(object.bounds, ray)) continue;
@@ -110,9 +124,10 @@ Hit closest_of_all(const Scene& scene, const Ray& ray, bool cull) {
           }
         },
         object.shape);
-    if (found && hit.t / local.scale < best.t) best = {hit.t / local.scale, id, hit};
+    Hit& nearest = hit.is_gap ? gap : best;
+    if (found && hit.t / local.scale < nearest.t) nearest = {hit.t / local.scale, id, hit};
   }
-  return best;
+  return gap.t < best.t && !same_place(best.t, gap.t) ? gap : best;
 }
 
 }  // namespace trace::test

@@ -38,6 +38,9 @@ Scene random_scene(Random& random, int size, double unit = 1);
 // zeros, or in any direction.
 Ray random_ray(Random& random, double unit = 1);
 
+// Every face in turn, without a hierarchy. What MeshTree::closest promises to find.
+bool nearest_face(const Mesh& mesh, const Ray& ray, bool cull, LocalHit& hit);
+
 // Every object in turn, without a hierarchy: the exact formulas, the nearest hit, of equal ones the first in
 // the file. What SceneTree::closest promises to find.
 Hit closest_of_all(const Scene& scene, const Ray& ray, bool cull);
