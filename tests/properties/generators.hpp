@@ -1,0 +1,48 @@
+// Inputs of the properties. All shrink towards few and small whole numbers.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <iosfwd>
+
+#include "geometry/frame.hpp"
+
+namespace trace::test {
+
+// A coordinate in [-8, 8]: half of them quarters of whole numbers, so that rays run along edges, planes and
+// diagonals; the others multiples of 2^-20.
+rc::Gen<double> coordinate();
+
+// A point or an edge, with a way to show itself.
+struct Place {
+  Vec3 at;
+};
+rc::Gen<Place> place();
+
+// A unit vector along a vector of coordinates; often along an axis or a diagonal.
+struct Heading {
+  Vec3 along;
+};
+rc::Gen<Heading> heading();
+
+// A point of the open unit cube [-1, 1]^3, never nearer to its faces than 2^-6.
+rc::Gen<Place> place_within();
+
+// translate, rotate, scale as the language applies them; scales between 1/8 and 8 either way, mirrors
+// included.
+struct Placement {
+  Vec3 move, axis, scale;
+  double angle;
+
+  Mat4 matrix() const;
+};
+rc::Gen<Placement> placement();
+
+void showValue(const Place& value, std::ostream& out);
+void showValue(const Heading& value, std::ostream& out);
+void showValue(const Placement& value, std::ostream& out);
+
+// Half an ulp of one, the unit in which the bounds of the properties are stated.
+inline constexpr double unit_roundoff = 0x1p-53;
+
+}  // namespace trace::test
