@@ -8,7 +8,7 @@ std::vector<HardCase> hard_cases() {
   std::vector<HardCase> cases;
   add_triangle_cases(cases);
   add_traversal_cases(cases);
-  add_leaving_cases(cases);
+  add_curved_cases(cases);
   std::stable_sort(cases.begin(), cases.end(),
                    [](const HardCase& a, const HardCase& b) { return a.row < b.row; });
   return cases;

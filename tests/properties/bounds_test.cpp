@@ -30,7 +30,7 @@ constexpr double slack_of_hits = 4096 * unit_roundoff;
 template <class Shape>
 void bounds_hold_hits(const Shape& shape) {
   holds([&] {
-    const Ray ray{(*place()).at, (*heading()).along};
+    const Ray ray = *aimed_ray();
     LocalHit hit;
     RC_PRE(shape.intersect(ray, hit));
     RC_ASSERT(holds_point(shape.bounds(), ray.at(hit.t), Vec3(slack_of_hits)));

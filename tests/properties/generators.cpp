@@ -46,6 +46,15 @@ rc::Gen<Heading> heading() {
   return rc::gen::map(direction(), [](const Vec3& v) { return Heading{v}; });
 }
 
+rc::Gen<Ray> aimed_ray() {
+  return rc::gen::apply(
+      [](const Place& origin, const Place& target) {
+        const Vec3 way = 1.25 * target.at - origin.at;
+        return Ray{origin.at, is_zero(way) ? Vec3(0, 0, 1) : glm::normalize(way)};
+      },
+      place(), place_within());
+}
+
 rc::Gen<Placement> placement() {
   // 1, -1, 9/8, -9/8, ... and their inverses.
   const auto scale =
@@ -78,3 +87,11 @@ void showValue(const Placement& value, std::ostream& out) {
 }
 
 }  // namespace trace::test
+
+namespace trace {
+
+void showValue(const Ray& value, std::ostream& out) {
+  out << "from " << test::shown(value.origin) << " along " << test::shown(value.direction);
+}
+
+}  // namespace trace

@@ -7,6 +7,12 @@
 
 #include "geometry/frame.hpp"
 
+namespace trace {
+
+void showValue(const Ray& value, std::ostream& out);
+
+}  // namespace trace
+
 namespace trace::test {
 
 // A coordinate in [-8, 8]: half of them quarters of whole numbers, so that rays run along edges, planes and
@@ -27,6 +33,9 @@ rc::Gen<Heading> heading();
 
 // A point of the open unit cube [-1, 1]^3, never nearer to its faces than 2^-6.
 rc::Gen<Place> place_within();
+
+// A ray from anywhere at a place in the cube of half edge 5/4 around the primitives.
+rc::Gen<Ray> aimed_ray();
 
 // translate, rotate, scale as the language applies them; scales between 1/8 and 8 either way, mirrors
 // included.

@@ -44,18 +44,10 @@ double depth(const Cylinder&, const Vec3& p) {
 // o + t d adds two of at most 16 a coordinate, times a gradient of 2: below 4096 u in all, which is 4.5e-13.
 constexpr double on_surface = 4096 * unit_roundoff;
 
-// From anywhere, at a place in the cube of half edge 5/4 around the shapes.
-Ray aimed() {
-  const Vec3 origin = (*place()).at;
-  const Vec3 target = 1.25 * (*place_within()).at;
-  RC_PRE(origin != target);
-  return {origin, glm::normalize(target - origin)};
-}
-
 template <class Shape>
 void hit_is_on_surface(const Shape& shape) {
   holds([&] {
-    const Ray ray = aimed();
+    const Ray ray = *aimed_ray();
     LocalHit hit;
     RC_PRE(shape.intersect(ray, hit));
     RC_TAG(glm::dot(hit.normal, ray.direction) > 0);
@@ -78,7 +70,7 @@ Vec3 inside(const Cylinder&, const Vec3& p) {
 template <class Shape>
 void nothing_is_nearer(const Shape& shape) {
   holds([&] {
-    const Ray ray = aimed();
+    const Ray ray = *aimed_ray();
     LocalHit hit;
     RC_PRE(shape.intersect(ray, hit));
     RC_PRE(depth(shape, ray.origin) < 0);
@@ -173,7 +165,7 @@ TEST_CASE("a hit of a cone lies between its ends") {
   holds([] {
     const double bottom = *coordinate(), top = *coordinate(), height = 0.25 + std::abs(*coordinate());
     const Cone cone(bottom, top, height, *rc::gen::arbitrary<bool>());
-    const Ray ray = aimed();
+    const Ray ray = *aimed_ray();
     LocalHit hit;
     RC_PRE(cone.intersect(ray, hit));
     const Bounds bounds = cone.bounds();

@@ -1,0 +1,13 @@
+// Rows 6 and 7: spheres, cylinders and cones where the quadratic is hard.
+#pragma once
+
+#include "tests/hard/hard_case.hpp"
+
+namespace trace::hard {
+
+HardCase far_sphere_case();
+HardCase placed_sphere_case();
+HardCase cylinder_case();
+HardCase cone_case();
+
+}  // namespace trace::hard

@@ -1,0 +1,87 @@
+#include "tests/hard/quadric_rays.hpp"
+
+namespace trace::hard {
+namespace {
+
+constexpr double turn = 6.283185307179586;
+
+// 1e-1 ... 1e-(digits), either way.
+double small(Random& random, int digits) {
+  const double size = std::pow(10.0, -random.between(1, digits));
+  return random.below(2) == 0 ? size : -size;
+}
+
+Vec3 unit_vector(Random& random) {
+  Vec3 v(0);
+  while (!(glm::dot(v, v) > 0.01)) v = random.in_cube(1);
+  return glm::normalize(v);
+}
+
+Ray towards(const Vec3& target, const Vec3& origin) {
+  return {origin, glm::normalize(target - origin)};
+}
+
+double widest(const RoundShape& shape) {
+  return std::max(shape.bottom, shape.top);
+}
+
+// Below, within or above the shape, some way off its ends.
+double some_height(Random& random, const RoundShape& shape) {
+  return shape.height * random.between(-4, 5);
+}
+
+}  // namespace
+
+Ray along_axis(Random& random, const RoundShape& shape) {
+  const double angle = random.between(0, turn);
+  double distance = widest(shape) * random.between(0, 1.5);
+  if (random.below(2) == 0) {
+    distance = random.below(2) == 0 ? shape.bottom : shape.top;
+    distance *= 1 + 0x1p-52 * (static_cast<int>(random.below(9)) - 4);
+  }
+  return {{distance * std::cos(angle), distance * std::sin(angle), some_height(random, shape)},
+          {0, 0, random.below(2) == 0 ? 1.0 : -1.0}};
+}
+
+Ray almost_along_axis(Random& random, const RoundShape& shape) {
+  Ray ray = along_axis(random, shape);
+  const double angle = random.between(0, turn), tilt = small(random, 12);
+  ray.direction = glm::normalize(ray.direction + tilt * Vec3(std::cos(angle), std::sin(angle), 0));
+  return ray;
+}
+
+Ray along_generator(Random& random, const RoundShape& shape) {
+  const double angle = random.between(0, turn);
+  const Vec3 bottom = shape.on_side(angle, 0), top = shape.on_side(angle, shape.height);
+  const Vec3 along = glm::normalize(top - bottom);
+  Vec3 beside(0);
+  if (random.below(2) == 0) beside = small(random, 15) * Vec3(std::cos(angle), std::sin(angle), 0);
+  if (random.below(2) == 0) return {bottom + beside - random.between(0.5, 5) * along, along};
+  return {top + beside + random.between(0.5, 5) * along, -along};
+}
+
+Ray tangent(Random& random, const RoundShape& shape) {
+  const double angle = random.between(0, turn), z = shape.height * random.between(-0.1, 1.1);
+  const Vec3 outward(std::cos(angle), std::sin(angle), 0);
+  const Vec3 along_side = glm::normalize(shape.on_side(angle, shape.height) - shape.on_side(angle, 0));
+  const Vec3 direction = glm::normalize(Vec3(-outward.y, outward.x, 0) + random.between(-1, 1) * along_side);
+  const Vec3 touched = shape.on_side(angle, z) + small(random, 15) * outward;
+  return {touched - random.between(0.5, 20) * direction, direction};
+}
+
+Ray at_rim(Random& random, const RoundShape& shape) {
+  const Vec3 target = shape.on_side(random.between(0, turn), random.below(2) == 0 ? 0 : shape.height);
+  return towards(target, target + random.between(0.5, 20) * unit_vector(random));
+}
+
+Ray at_apex(Random& random, const RoundShape& shape) {
+  const Vec3 target(0, 0, shape.height * shape.bottom / (shape.bottom - shape.top));
+  return towards(target, target + random.between(0.5, 20) * unit_vector(random));
+}
+
+Ray from_afar(Random& random, const RoundShape& shape) {
+  const Vec3 target = 1.5 * random.in_cube(std::max(widest(shape), shape.height));
+  return towards(target, target + std::pow(10.0, random.between(0, 8)) * unit_vector(random));
+}
+
+}  // namespace trace::hard
