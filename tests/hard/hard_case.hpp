@@ -9,9 +9,9 @@ namespace trace::hard {
 // every machine and for every number of threads. Truth comes from exact or wider arithmetic, or from
 // reasoning about the case, never from `ours`.
 struct HardCase {
-  int row;                    // of the table of methods: 1 watertight triangles ... 14 attenuation
-  std::string name;           // the promise, in the words of its test
-  std::string says;           // two sentences for the table: what makes it hard, what keeps the promise
+  int row;           // of the table of methods: 1 watertight triangles ... 14 attenuation; 15 whole pictures
+  std::string name;  // the promise, in the words of its test
+  std::string says;  // two sentences for the table: what makes it hard, what keeps the promise
   std::uint64_t quick, full;  // rays within the tests, and for the table
   std::vector<Row> (*run)(std::uint64_t rays);
 };
@@ -26,5 +26,6 @@ HardCase hard_case(std::string_view name);
 void add_triangle_cases(std::vector<HardCase>& cases);   // rows 1 and 2
 void add_traversal_cases(std::vector<HardCase>& cases);  // rows 3, 4 and 11
 void add_curved_cases(std::vector<HardCase>& cases);     // rows 6 and 7
+void add_picture_cases(std::vector<HardCase>& cases);    // row 10, and scenes told in other words
 
 }  // namespace trace::hard

@@ -58,7 +58,8 @@ template <class Truth>
 void note_answer(const Truth& truth, const Ray& ray, double band, bool hit, double t, double allowed,
                  Row& row) {
   ++row.rays;
-  const Around around = answers_around(truth, ray, band);
+  Around around = answers_around(truth, ray, band);
+  const bool decided = around.decided();
   if (!hit) {
     if (!around.any_miss) ++row.misses;
     return;
@@ -67,11 +68,16 @@ void note_answer(const Truth& truth, const Ray& ray, double band, bool hit, doub
     ++row.wrong;
     return;
   }
+  // Where few of the rays around hit, they say little of how far t may be off; those further around do.
+  if (!decided) around = answers_around(truth, ray, 8 * band);
   const Quad spread = around.most - around.least;
   const Quad beyond = t < around.least ? around.least - t : (t > around.most ? t - around.most : Quad(0));
-  const Quad error = (beyond > spread ? beyond - spread : Quad(0)) / (magnitude(around.most) + Quad(1e-300));
+  // Between hit and miss the chord shrinks to nothing, past what the rays that do hit tell.
+  const Quad granted = decided ? spread : 64 * spread;
+  const Quad error =
+      (beyond > granted ? beyond - granted : Quad(0)) / (magnitude(around.most) + Quad(1e-300));
   if (error > allowed) ++row.wrong;
-  if (around.decided()) row.note_error(static_cast<double>(error));
+  if (decided) row.note_error(static_cast<double>(error));
 }
 
 }  // namespace trace::hard

@@ -45,8 +45,8 @@ Ray ray_at(Random& random, const Vec3& centre, double radius, double distance) {
   return {origin, glm::normalize(target - origin)};
 }
 
-// In double the direction alone is uncertain by some 2^-53, which moves a line by that times the distance;
-// the stable form adds a few roundings of the same size.
+// The foot of the perpendicular from the centre is rounded by 2^-53 of the distance in each coordinate, and
+// the line is moved by as much; the rays around move it by at least a third of the band.
 constexpr double band = 1e-15, allowed = 1e-15;
 
 std::vector<Row> far_spheres(std::uint64_t rays) {
@@ -77,9 +77,9 @@ std::vector<Row> far_spheres(std::uint64_t rays) {
 }
 
 // The language takes a ray into a space by its origin o and o + d, so the sum's rounding, half an ulp of |o|
-// in each coordinate, turns the direction: 2^-53 * 128 * sqrt(3) for |o| up to 128, and as much again for
-// the two products with the matrix.
-constexpr double band_of_placed = 0x1p-53 * 128 * 4;
+// in each coordinate, turns the direction: 2^-53 * 128 * sqrt(3) for |o| up to 128, and the two
+// products with the matrix as much again each.
+constexpr double band_of_placed = 0x1p-53 * 128 * 8;
 
 std::vector<Row> placed_spheres(std::uint64_t rays) {
   constexpr double radius = 1e-6;
