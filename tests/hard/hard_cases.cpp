@@ -9,7 +9,9 @@ std::vector<HardCase> hard_cases() {
   add_triangle_cases(cases);
   add_traversal_cases(cases);
   add_curved_cases(cases);
+  add_space_cases(cases);
   add_picture_cases(cases);
+  add_light_cases(cases);
   std::stable_sort(cases.begin(), cases.end(),
                    [](const HardCase& a, const HardCase& b) { return a.row < b.row; });
   return cases;

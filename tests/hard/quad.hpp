@@ -15,10 +15,10 @@ inline Quad magnitude(Quad x) {
 }
 
 // Newton's step from the root in double doubles its 53 digits; a second one clears what is left. For x that
-// a double can hold.
+// a double can hold; NaN for NaN and for what is negative.
 inline Quad root(Quad x) {
   const double guess = std::sqrt(static_cast<double>(x));
-  if (!(guess > 0)) return 0;
+  if (guess == 0) return 0;
   Quad r = guess;
   for (int step = 0; step < 2; ++step) r = (r + x / r) / 2;
   return r;
