@@ -50,14 +50,19 @@ Ray almost_along_axis(Random& random, const RoundShape& shape) {
   return ray;
 }
 
-Ray along_generator(Random& random, const RoundShape& shape) {
+Ray on_generator(Random& random, const RoundShape& shape) {
   const double angle = random.between(0, turn);
   const Vec3 bottom = shape.on_side(angle, 0), top = shape.on_side(angle, shape.height);
   const Vec3 along = glm::normalize(top - bottom);
-  Vec3 beside(0);
-  if (random.below(2) == 0) beside = small(random, 15) * Vec3(std::cos(angle), std::sin(angle), 0);
-  if (random.below(2) == 0) return {bottom + beside - random.between(0.5, 5) * along, along};
-  return {top + beside + random.between(0.5, 5) * along, -along};
+  if (random.below(2) == 0) return {bottom - random.between(0.5, 5) * along, along};
+  return {top + random.between(0.5, 5) * along, -along};
+}
+
+Ray along_generator(Random& random, const RoundShape& shape) {
+  Ray ray = on_generator(random, shape);
+  const Vec3 outward = glm::normalize(Vec3(ray.origin.x, ray.origin.y, 0));
+  ray.origin += small(random, 9) * outward;
+  return ray;
 }
 
 Ray tangent(Random& random, const RoundShape& shape) {

@@ -22,8 +22,10 @@ struct RoundShape {
 Ray along_axis(Random& random, const RoundShape& shape);
 // The same, tilted by 1e-1 ... 1e-12.
 Ray almost_along_axis(Random& random, const RoundShape& shape);
-// Along a line of the side, from beyond its ends: on the side, or beside it by 1e-1 ... 1e-15.
+// Beside a line of the side by 1e-1 ... 1e-9, from beyond its ends.
 Ray along_generator(Random& random, const RoundShape& shape);
+// On a line of the side, up to rounding, from beyond its ends.
+Ray on_generator(Random& random, const RoundShape& shape);
 // Touching the side, up to 1e-1 ... 1e-15 above or below.
 Ray tangent(Random& random, const RoundShape& shape);
 // At the circle where side and cap meet.

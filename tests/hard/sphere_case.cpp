@@ -47,7 +47,7 @@ Ray ray_at(Random& random, const Vec3& centre, double radius, double distance) {
 
 // The foot of the perpendicular from the centre is rounded by 2^-53 of the distance in each coordinate, and
 // the line is moved by as much; the rays around move it by at least a third of the band.
-constexpr double band = 1e-15, allowed = 1e-15;
+constexpr double band = 1e-15, allowed = 1e-14;
 
 std::vector<Row> far_spheres(std::uint64_t rays) {
   std::vector<Row> all;
