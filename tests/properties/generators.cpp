@@ -31,7 +31,8 @@ rc::Gen<Vec3> direction() {
 }  // namespace
 
 rc::Gen<double> coordinate() {
-  return rc::gen::oneOf(multiple(32, 0.25), multiple(8 << 20, 0x1p-20));
+  return rc::gen::oneOf(multiple(32, 0.25), multiple(8 << 20, 0x1p-20),
+                        multiple(6 << 20, 0x1.5555555555555p-20));
 }
 
 rc::Gen<Place> place() {

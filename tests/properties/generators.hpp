@@ -15,8 +15,9 @@ void showValue(const Ray& value, std::ostream& out);
 
 namespace trace::test {
 
-// A coordinate in [-8, 8]: half of them quarters of whole numbers, so that rays run along edges, planes and
-// diagonals; the others multiples of 2^-20.
+// A coordinate in [-8, 8]: a third of them quarters of whole numbers, so that rays run along edges, planes
+// and diagonals; a third multiples of 2^-20, whose sums and products are exact; a third multiples of
+// 2^-20 * 4/3, with all the digits a double has.
 rc::Gen<double> coordinate();
 
 // A point or an edge, with a way to show itself.
