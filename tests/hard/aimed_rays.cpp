@@ -1,6 +1,6 @@
 #include "tests/hard/aimed_rays.hpp"
 
-#include <bit>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trace::hard {
 
@@ -21,6 +21,11 @@ Vec3 unit_vector(Random& random) {
     const double squared = glm::dot(v, v);
     if (squared > 0.01 && squared <= 1) return glm::normalize(v);
   }
+}
+
+Mat4 random_turn(Random& random) {
+  const Vec3 axis = unit_vector(random);
+  return glm::rotate(Mat4(1), random.between(0, 6), axis);
 }
 
 Ray aimed_at_edges(Random& random, const Mesh& mesh, const Vec3& origin) {

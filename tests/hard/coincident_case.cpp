@@ -17,7 +17,8 @@ struct Pile {
 using Add = void (*)(Scene&, const Mat4&);
 
 void add_filler(Scene& scene, Random& random) {
-  const Vec3 away = random.in_cube(1) + Vec3(0, 0, random.below(2) == 0 ? 20 : -20);
+  const double side = random.below(2) == 0 ? 20 : -20;
+  const Vec3 away = random.in_cube(1) + Vec3(0, 0, side);
   test::add(scene, Sphere{}, glm::translate(Mat4(1), away), Material{});
 }
 
@@ -83,11 +84,10 @@ std::vector<Row> run(std::uint64_t rays) {
         for (std::uint64_t i = 0; i < in_batch; ++i) {
           // Towards a point well within the object, from far enough away to be outside of it.
           const Vec3 at = random.on_grid(8, 0.25);
-          const Mat4 turned = glm::translate(Mat4(1), at) *
-                              glm::rotate(Mat4(1), random.between(0, 6), unit_vector(random)) *
-                              test::scaled(random.between(0.5, 1.5));
+          const Mat4 turn = random_turn(random);
+          const Mat4 turned = glm::translate(Mat4(1), at) * turn * test::scaled(random.between(0.5, 1.5));
           const Vec3 target =
-              Vec3(turned * Vec4(0.2 * random.between(-1, 1), 0.2 * random.between(-1, 1), 0, 1));
+              Vec3(turned * Vec4{0.2 * random.between(-1, 1), 0.2 * random.between(-1, 1), 0, 1});
           Vec3 sideways = unit_vector(random) * Vec3(1, 1, 0.5);
           sideways = glm::normalize(sideways + Vec3(1e-3, 0, 0));
           const Ray any{target - 4.0 * sideways, sideways};

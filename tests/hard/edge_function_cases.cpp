@@ -31,7 +31,7 @@ bool by_float(const Mesh& mesh, const Ray& ray) {
 }
 
 // Asks `form` for all six orders of the corners.
-void compare(Row& row, Form form, const Corners& c, const Ray& ray) {
+void compare(Row& row, Digest& digest, Form form, const Corners& c, const Ray& ray) {
   const bool truth = line_hits(ray, c);
   Mesh mesh;
   mesh.points = {c.a, c.b, c.c};
@@ -40,6 +40,7 @@ void compare(Row& row, Form form, const Corners& c, const Ray& ray) {
     mesh.faces = {order};
     const bool found = form(mesh, ray);
     ++row.rays;
+    digest.add(std::uint64_t{found});
     if (truth && !found) ++row.misses;
     if (found && !truth) ++row.wrong;
   }
@@ -71,20 +72,23 @@ std::vector<Row> run(std::uint64_t rays) {
                                Row(ours, "corners of 24 bits"), Row("textbook", "corners of 24 bits"),
                                Row("float", "corners of 24 bits")};
   return in_batches(rays / 12, 2, names, [](Random& random, std::uint64_t in_batch, std::vector<Row>& rows) {
+    std::vector<Digest> digests(rows.size());
     const Ray down{{0, 0, 1}, {0, 0, -1}};
     for (std::uint64_t i = 0; i < in_batch; ++i) {
       const Ray ray{random.in_cube(4), unit_vector(random)};
-      const Corners c = near_edge(random, ray.at(random.between(0.5, 4)), random.in_cube(1));
-      compare(rows[0], by_trace, c, ray);
-      compare(rows[1], by_textbook, c, ray);
+      const Vec3 point = ray.at(random.between(0.5, 4)), across = random.in_cube(1);
+      const Corners c = near_edge(random, point, across);
+      compare(rows[0], digests[0], by_trace, c, ray);
+      compare(rows[1], digests[1], by_textbook, c, ray);
 
       const Corners f =
           i == 0 ? Corners{{33962.035f, 41563.4f, 0}, {-24871.969f, -30438.8f, 0}, {3e4f, -3e4f, 0}}
                  : of_floats(random);
-      compare(rows[2], by_trace, f, down);
-      compare(rows[3], by_textbook, f, down);
-      compare(rows[4], by_float, f, down);
+      compare(rows[2], digests[2], by_trace, f, down);
+      compare(rows[3], digests[3], by_textbook, f, down);
+      compare(rows[4], digests[4], by_float, f, down);
     }
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].digest = digests[i].value();
   });
 }
 

@@ -37,7 +37,7 @@ TEST_CASE("zeros and the smallest and largest of numbers have exact signs") {
 
 TEST_CASE("an exact sign turns with the order of the edge, for numbers of any bits") {
   Random random(1);
-  const auto any = [&] { return Vec3(random_bits(random), random_bits(random), random_bits(random)); };
+  const auto any = [&] { return Vec3{random_bits(random), random_bits(random), random_bits(random)}; };
   for (int i = 0; i < 1000; ++i) {
     const Ray ray{any(), any()};
     const Vec3 p = any(), q = any();

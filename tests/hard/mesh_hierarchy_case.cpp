@@ -38,11 +38,12 @@ Mesh draw_mesh(Random& random, int kind) {
       return random_mesh(random, [&] { return random.on_grid(2, 0.5); });
     case 3:
       return random_mesh(random, [&] {
-        return Vec3(random_bits(random, 30), random_bits(random, 30), random_bits(random, 30));
+        return Vec3{random_bits(random, 30), random_bits(random, 30), random_bits(random, 30)};
       });
     default:
-      return random_mesh(random,
-                         [&] { return Vec3(random_bits(random), random_bits(random), random_bits(random)); });
+      return random_mesh(random, [&] {
+        return Vec3{random_bits(random), random_bits(random), random_bits(random)};
+      });
   }
 }
 
@@ -110,7 +111,7 @@ HardCase mesh_hierarchy_case() {
           "corners beyond the range of floats. Boxes are rounded outward and both ends of a slab are padded "
           "by the bound "
           "of their error, and of equal hits the first in the file counts.",
-          40'000,
+          100'000,
           10'000'000,
           run};
 }

@@ -52,7 +52,7 @@ HardCase scene_hierarchy_case() {
           "axes and in planes of boxes, with zeros of either sign. The same rule orders hits in both: t, "
           "then the place "
           "in the file.",
-          20'000,
+          60'000,
           10'000'000,
           run};
 }

@@ -138,7 +138,7 @@ HardCase self_hit_case() {
           "secondary ray carries the measured error of its origin, and a hit is dropped exactly where the "
           "origin cannot "
           "be told from a point of what is hit.",
-          24'000,
+          100'000,
           100'000'000,
           run};
 }

@@ -10,12 +10,13 @@ constexpr double cone_bottom = 1, cone_top = 0.25, cone_height = 1.5;
 
 // A place on the surface or near it to aim at: anywhere, or at an edge.
 Vec3 target_on(Random& random, SolidKind kind) {
+  const Vec3 towards = unit_vector(random);
   const bool at_edge = random.below(4) == 0;
   const auto side = [&](double half) { return random.below(2) == 0 ? half : -half; };
   const auto near = [&](double x) { return steps_from(x, static_cast<int>(random.below(9)) - 4); };
   switch (kind) {
     case SolidKind::sphere:
-      return unit_vector(random) * (at_edge ? 1.0 - 1e-6 * fraction(random) : random.between(0, 1));
+      return (at_edge ? 1.0 - 1e-6 * fraction(random) : random.between(0, 1)) * towards;
     case SolidKind::box: {
       Vec3 p = random.in_cube(0.5);
       if (at_edge) p[0] = near(side(0.5)), p[1] = near(side(0.5));
@@ -37,7 +38,8 @@ Vec3 target_on(Random& random, SolidKind kind) {
   static const Mesh mesh = icosahedron_mesh();
   const Corners c = corners(mesh, random.below(20));
   const double v = at_edge ? 0 : fraction(random);
-  return c.a + fraction(random) * (1 - v) * (c.b - c.a) + v * (c.c - c.a);
+  const double u = fraction(random) * (1 - v);
+  return c.a + u * (c.b - c.a) + v * (c.c - c.a);
 }
 
 // Outward, from where the object was hit; the square's towards the ray. In the space of the object.
@@ -62,10 +64,11 @@ std::string_view name_of(SolidKind kind) {
 
 Solid random_solid(Random& random, SolidKind kind) {
   Solid solid{name_of(kind), {}, std::pow(10, random.between(-8, 8)), 0};
-  const Vec3 stretch(1, std::pow(10, random.between(0, 2)), std::pow(10, random.between(0, 1)));
+  const Vec3 stretch{1, std::pow(10, random.between(0, 2)), std::pow(10, random.between(0, 1))};
   solid.offset = random.below(4) == 0 ? 0 : std::min(1e8, solid.size * std::pow(10, random.between(-2, 6)));
-  const Mat4 place = glm::translate(Mat4(1), solid.offset * unit_vector(random)) *
-                     glm::rotate(Mat4(1), random.between(0, 6), unit_vector(random)) *
+  const Vec3 away = solid.offset * unit_vector(random);
+  const Mat4 turn = random_turn(random);
+  const Mat4 place = glm::translate(Mat4(1), away) * turn *
                      glm::scale(Mat4(1), solid.size * (random.below(4) == 0 ? -stretch : stretch));
   switch (kind) {
     case SolidKind::sphere:
@@ -96,7 +99,8 @@ std::optional<Touch> touch(Random& random, const Solid& solid, const SceneTree& 
     if (name_of(static_cast<SolidKind>(i)) == solid.name) kind = static_cast<SolidKind>(i);
   }
   const Vec3 target(frame.to_world * Vec4(target_on(random, kind), 1));
-  const Vec3 origin(frame.to_world * Vec4(random.between(4, 40) * unit_vector(random), 1));
+  const Vec3 towards = unit_vector(random);
+  const Vec3 origin(frame.to_world * Vec4(random.between(4, 40) * towards, 1));
   Touch result{{origin, glm::normalize(target - origin)}, {}, Vec3(0), Vec3(0)};
   result.hit = tree.closest(result.ray, false);
   if (!result.hit) return std::nullopt;

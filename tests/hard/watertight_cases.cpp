@@ -26,7 +26,8 @@ struct Shell {
 };
 
 Vec3 in_ball(Random& random) {
-  return 0.5 * fraction(random) * unit_vector(random);
+  const Vec3 towards = unit_vector(random);
+  return 0.5 * fraction(random) * towards;
 }
 // Flat solids keep their eyes near the middle.
 Vec3 in_middle(Random& random) {
@@ -139,7 +140,7 @@ HardCase watertight_case() {
           "to a miss; random rays never find such cracks. Where an edge value is within its error bound of "
           "zero its sign "
           "is decided exactly, the same for both triangles, so that the ray crosses exactly once.",
-          16'000,
+          40'000,
           16'000'000,
           run};
 }
