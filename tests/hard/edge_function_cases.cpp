@@ -60,11 +60,11 @@ Corners near_edge(Random& random, const Vec3& point, const Vec3& across) {
 // Points of 24 bits around the axis of the ray (0, 0, 1) -> (0, 0, -1), two of them nearly in line with it,
 // as 33962.035 x -30438.8 - 41563.4 x -24871.969 is nearly zero: -75, and in floats -128.
 Corners of_floats(Random& random) {
-  const auto one = [&] { return static_cast<float>(random.between(1e4, 5e4)); };
-  const float ax = one(), ay = one(), s = -static_cast<float>(random.between(0.3, 3));
-  Corners c{{ax, ay, 0}, {s * ax, s * ay, 0}, {one(), -one(), 0}};
-  c.b = Vec3(glm::vec3(c.b));
-  return c;
+  // Rounded as integers: g++ 12 leaves out the rounding of a double to float and back.
+  const auto one = [&] { return 0x1p-9 * ((1u << 22) + random.below(3u << 22)); };  // 8192 ... 32768
+  const auto rounded = [](double x) { return std::nearbyint(x * 0x1p8) * 0x1p-8; };
+  const double ax = one(), ay = one(), s = -random.between(0.3, 1.9), cx = one(), cy = -one();
+  return {{ax, ay, 0}, {rounded(s * ax), rounded(s * ay), 0}, {cx, cy, 0}};
 }
 
 std::vector<Row> run(std::uint64_t rays) {

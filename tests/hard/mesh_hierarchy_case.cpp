@@ -49,7 +49,13 @@ Mesh draw_mesh(Random& random, int kind) {
 
 // Through a point of a face where that can be told; else from and to anywhere.
 Ray draw_ray(Random& random, const Mesh& mesh, int kind) {
-  if (kind == 2) return test::random_ray(random, 0.25);
+  if (kind == 2) {
+    // In planes and along lines of the grid, with zeros of either sign.
+    const Vec3 origin = random.on_grid(8, 0.25);
+    Vec3 step(0);
+    while (step == Vec3(0)) step = random.on_grid(1, random.below(2) == 0 ? 1 : -1);
+    return {origin, glm::normalize(step)};
+  }
   const Corners c = corners(mesh, random.below(static_cast<std::uint32_t>(mesh.faces.size())));
   const double u = random.below(3) == 0 ? 0 : fraction(random),
                v = random.below(3) == 0 ? 0 : fraction(random);
