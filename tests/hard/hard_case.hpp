@@ -25,6 +25,7 @@ HardCase hard_case(std::string_view name);
 // The lists that make up hard_cases(), one a file.
 void add_triangle_cases(std::vector<HardCase>& cases);   // rows 1 and 2
 void add_traversal_cases(std::vector<HardCase>& cases);  // rows 3, 4 and 11
+void add_leaving_cases(std::vector<HardCase>& cases);    // row 5
 void add_curved_cases(std::vector<HardCase>& cases);     // rows 6 and 7
 void add_space_cases(std::vector<HardCase>& cases);      // rows 8 and 9
 void add_picture_cases(std::vector<HardCase>& cases);    // row 10, and scenes told in other words

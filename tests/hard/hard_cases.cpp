@@ -8,6 +8,7 @@ std::vector<HardCase> hard_cases() {
   std::vector<HardCase> cases;
   add_triangle_cases(cases);
   add_traversal_cases(cases);
+  add_leaving_cases(cases);
   add_curved_cases(cases);
   add_space_cases(cases);
   add_picture_cases(cases);
