@@ -15,7 +15,7 @@ namespace {
 // Items that traversal hands out for a ray.
 std::multiset<std::uint32_t> touched(const Bvh& bvh, const Ray& ray) {
   std::multiset<std::uint32_t> result;
-  traverse(bvh, BvhRay(ray), std::numeric_limits<double>::infinity(),
+  traverse(bvh, BvhRay(bvh, ray), std::numeric_limits<double>::infinity(),
            [&](std::uint32_t first, std::uint32_t count, double limit) {
              for (std::uint32_t i = first; i < first + count; ++i) result.insert(bvh.order[i]);
              return limit;
@@ -132,14 +132,14 @@ TEST_CASE("a traversal ends at once where the leaf says so, and passes over what
   const Bvh bvh = build_bvh(items, 1);
   const Ray along = ray({0, 0, -1}, {0, 0, 1});
   int leaves = 0;
-  traverse(bvh, BvhRay(along), 1e9, [&](std::uint32_t, std::uint32_t, double) {
+  traverse(bvh, BvhRay(bvh, along), 1e9, [&](std::uint32_t, std::uint32_t, double) {
     ++leaves;
     return -1.0;
   });
   CHECK(leaves == 1);
   // Near ones first: the first leaf is item 0, whose distance becomes the limit.
   std::vector<std::uint32_t> seen;
-  traverse(bvh, BvhRay(along), 1e9, [&](std::uint32_t first, std::uint32_t, double) {
+  traverse(bvh, BvhRay(bvh, along), 1e9, [&](std::uint32_t first, std::uint32_t, double) {
     seen.push_back(bvh.order[first]);
     return 1.5;
   });

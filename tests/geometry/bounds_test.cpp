@@ -62,7 +62,7 @@ TEST_CASE("an axis along which the ray does not move is passed over") {
   CHECK_FALSE(hits_bounds(cube, {{5, 7, 3}, {0, 0, 1}}));
 }
 
-TEST_CASE("bounds that end nearer than 1e-8 are missed") {
-  CHECK(hits_bounds({Vec3(-1), Vec3(1, 1, 1e-8)}, {{0, 0, 0}, {0, 0, 1}}));
-  CHECK_FALSE(hits_bounds({Vec3(-1), Vec3(1, 1, 0.999e-8)}, {{0, 0, 0}, {0, 0, 1}}));
+TEST_CASE("bounds that end however little ahead of the origin are hit") {
+  CHECK(hits_bounds({Vec3(-1), Vec3(1, 1, 1e-300)}, {{0, 0, 0}, {0, 0, 1}}));
+  CHECK_FALSE(hits_bounds({Vec3(-1), Vec3(1, 1, -1e-300)}, {{0, 0, 0}, {0, 0, 1}}));
 }

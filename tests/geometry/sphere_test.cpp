@@ -51,13 +51,21 @@ TEST_CASE("a ray that leaves a point of a sphere does not hit that point again")
   CHECK(across->t == 2);
 }
 
-TEST_CASE("a sphere 1.000001e-8 away is hit, one 1e-8 away is not") {
-  CHECK(meet(Sphere{}, {0, 0, 1 + 1.000001e-8}, {0, 0, -1})->t < 1.1e-8);
-  // 1 + 1e-8 is rounded to below 1e-8 from the surface, so the far side is what is left.
-  CHECK(meet(Sphere{}, {0, 0, 1 + 1e-8}, {0, 0, -1})->t == about(2 + 1e-8));
-  // The same for the far root of a ray that leaves.
-  CHECK(meet(Sphere{}, {0, 0, 1 - 1.000001e-8}, {0, 0, 1}));
-  CHECK_FALSE(meet(Sphere{}, {0, 0, 1 - 0.999999e-8}, {0, 0, 1}));
+TEST_CASE("a sphere is hit however near it is, unless the origin may lie on it") {
+  const double near_by = GENERATE(1e-8, 1e-11, 1e-14);
+  CHECK(meet(Sphere{}, {0, 0, 1 + near_by}, {0, 0, -1})->t < 2 * near_by);
+  CHECK(meet(Sphere{}, {0, 0, 1 - near_by}, {0, 0, 1})->t < 2 * near_by);
+  LocalHit hit;
+  REQUIRE(Sphere{}.intersect({{0, 0, 1 + near_by}, {0, 0, -1}, near_by}, hit));
+  CHECK(hit.t == about(2));
+  CHECK_FALSE(Sphere{}.intersect({{0, 0, 1 - near_by}, {0, 0, 1}, near_by}, hit));
+}
+
+TEST_CASE("a ray along a chord of a sphere from its surface meets the other end however short the chord is") {
+  const double angle = GENERATE(1e-3, 1e-6, 1e-9, 1e-12);
+  const auto hit = meet(Sphere{}, {0, 0, 1}, {std::cos(angle), 0, -std::sin(angle)});
+  REQUIRE(hit);
+  CHECK(hit->t == Approx(2 * std::sin(angle)).epsilon(1e-3));
 }
 
 TEST_CASE("a sphere has no texture coordinates") {

@@ -37,10 +37,18 @@ TEST_CASE("a square behind the ray, or in whose plane the ray runs, is missed") 
   CHECK_FALSE(meet(Square{}, {-2, 0, 0.1}, {1, 0, 0}));
 }
 
-TEST_CASE("a square 1.000001e-8 away is hit, one 1e-8 away is not") {
-  CHECK(meet(Square{}, {0, 0, 1.000001e-8}, {0, 0, -1}));
-  CHECK_FALSE(meet(Square{}, {0, 0, 1e-8}, {0, 0, -1}));
+TEST_CASE("a square is hit however near it is, unless the origin may lie on it") {
+  CHECK(meet(Square{}, {0, 0, 1e-300}, {0, 0, -1}));
   CHECK_FALSE(meet(Square{}, {0, 0, 0}, {0, 0, -1}));
+  LocalHit hit;
+  CHECK(Square{}.intersect({{0, 0, 2e-15}, {0, 0, -1}, 1e-15}, hit));
+  CHECK_FALSE(Square{}.intersect({{0, 0, 1e-15}, {0, 0, -1}, 1e-15}, hit));
+}
+
+TEST_CASE("a square no further than the least t of the ray is missed") {
+  LocalHit hit;
+  CHECK_FALSE(Square{}.intersect({{0, 0, 0.25}, {0, 0, -1}, 0, 0.25}, hit));
+  CHECK(Square{}.intersect({{0, 0, 0.25}, {0, 0, -1}, 0, 0.2}, hit));
 }
 
 TEST_CASE("the bounds of a square are 1e-8 thick either way") {

@@ -78,7 +78,6 @@ std::vector<Row> run(std::uint64_t rays) {
     std::vector<Digest> digests(rows.size());
     Mesh mesh;
     std::optional<MeshTree> tree;
-    std::vector<FaceHit> hits;
     for (std::uint64_t i = 0; i < in_batch; ++i) {
       const auto kind = static_cast<std::size_t>(i / 64 % rows.size());
       if (i % 64 == 0) {
@@ -86,19 +85,15 @@ std::vector<Row> run(std::uint64_t rays) {
         tree.emplace(mesh);
       }
       const Ray ray = draw_ray(random, mesh, static_cast<int>(kind));
-      all_hits(mesh, ray, hits);
-      FaceHit first{~0u, infinity};
-      for (const FaceHit& hit : hits) {
-        if (hit.t < first.t) first = hit;
-      }
-      LocalHit found;
+      LocalHit truth, found;
+      const bool expected = test::nearest_face(mesh, ray, false, truth);
       const bool any = tree->closest(ray, infinity, false, found);
       Row& row = rows[kind];
       ++row.rays;
-      if (any != (first.t < infinity)) {
+      if (any != expected) {
         ++(any ? row.wrong : row.misses);
-      } else if (any && (found.part != first.face ||
-                         std::bit_cast<std::uint64_t>(found.t) != std::bit_cast<std::uint64_t>(first.t))) {
+      } else if (any && (found.part != truth.part ||
+                         std::bit_cast<std::uint64_t>(found.t) != std::bit_cast<std::uint64_t>(truth.t))) {
         ++row.wrong;
       }
       digests[kind].add_hit(any ? found.part : ~0u, any ? found.t : 0);

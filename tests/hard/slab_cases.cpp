@@ -38,7 +38,8 @@ ThroughBox through_box(Random& random) {
 
 bool handed_out(const ThroughBox& c) {
   bool found = false;
-  traverse(build_bvh({&c.box, 1}, 1), BvhRay(c.ray), std::numeric_limits<double>::infinity(),
+  const Bvh bvh = build_bvh({&c.box, 1}, 1);
+  traverse(bvh, BvhRay(bvh, c.ray), std::numeric_limits<double>::infinity(),
            [&](std::uint32_t, std::uint32_t, double limit) {
              found = true;
              return limit;

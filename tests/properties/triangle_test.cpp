@@ -1,5 +1,6 @@
-// What holds of every ray and every triangle, searched as a mesh of one face.
-#include "acceleration/mesh_tree.hpp"
+// What holds of every ray and every triangle, as decided by the fast test where it is certain and else
+// exactly.
+#include "geometry/triangle.hpp"
 #include "tests/properties/generators.hpp"
 #include "tests/properties/property.hpp"
 #include "tests/support/numbers_near.hpp"
@@ -9,9 +10,7 @@ using namespace trace::test;
 
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-
-struct Corners {
+struct Points {
   Vec3 at[3];
 
   double longest() const {
@@ -20,21 +19,21 @@ struct Corners {
   Vec3 area() const { return glm::cross(at[1] - at[0], at[2] - at[0]); }
 };
 
-Corners corners() {
+Points corners() {
   return {{(*place()).at, (*place()).at, (*place()).at}};
 }
 
-// The face (first, first + 1, first + 2) of the corners, or the other way round.
-bool meets(const Corners& corners, std::uint32_t first, bool reversed, const Ray& ray, LocalHit& hit) {
-  Mesh mesh;
-  mesh.points.assign(corners.at, corners.at + 3);
+// The face (first, first + 1, first + 2) of the points, or the other way round.
+bool meets(const Points& points, std::uint32_t first, bool reversed, const Ray& ray, TriangleHit& hit) {
   const std::uint32_t next = (first + 1) % 3, last = (first + 2) % 3;
-  mesh.faces = {reversed ? FaceCorners{first, last, next} : FaceCorners{first, next, last}};
-  return MeshTree(mesh).closest(ray, no_limit, false, hit);
+  const Corners corners{points.at[first], points.at[reversed ? last : next],
+                        points.at[reversed ? next : last]};
+  const Meeting meeting = trace::meets(Triangle(corners), ray, hit);
+  return meeting == Meeting::unsure ? crosses_exactly(corners, ray, hit) : meeting == Meeting::hit;
 }
 
 // A ray at a place of the triangle's plane: inside, on an edge or a corner, or beside it.
-Ray aimed(const Corners& corners) {
+Ray aimed(const Points& corners) {
   const double u = *rc::gen::inRange(0, 9) / 8.0, v = *rc::gen::inRange(0, 9) / 8.0;
   const Vec3 target =
       corners.at[0] + u * (corners.at[1] - corners.at[0]) + v * (corners.at[2] - corners.at[0]);
@@ -45,7 +44,7 @@ Ray aimed(const Corners& corners) {
 
 // t is a quotient of determinants of the corners seen from the origin; their rounding is some u of the
 // product of the lengths that go in, and dividing by det leaves this bound (16 covers the operations).
-double t_bound(const Corners& corners, const Ray& ray, double t) {
+double t_bound(const Points& corners, const Ray& ray, double t) {
   const double longest = corners.longest();
   const double reach =
       std::max({glm::length(corners.at[0] - ray.origin), glm::length(corners.at[1] - ray.origin),
@@ -57,9 +56,9 @@ double t_bound(const Corners& corners, const Ray& ray, double t) {
 
 TEST_CASE("a triangle is hit or missed whichever corner comes first") {
   holds([] {
-    const Corners given = corners();
+    const Points given = corners();
     const Ray ray = aimed(given);
-    LocalHit hits[3];
+    TriangleHit hits[3];
     const bool hit = meets(given, 0, false, ray, hits[0]);
     RC_ASSERT(meets(given, 1, false, ray, hits[1]) == hit);
     RC_ASSERT(meets(given, 2, false, ray, hits[2]) == hit);
@@ -72,9 +71,9 @@ TEST_CASE("a triangle is hit or missed whichever corner comes first") {
 
 TEST_CASE("a triangle is hit or missed whichever way round its corners go") {
   holds([] {
-    const Corners given = corners();
+    const Points given = corners();
     const Ray ray = aimed(given);
-    LocalHit front, back;
+    TriangleHit front, back;
     const bool hit = meets(given, 0, false, ray, front);
     RC_ASSERT(meets(given, 0, true, ray, back) == hit);
     RC_PRE(hit);
@@ -84,18 +83,18 @@ TEST_CASE("a triangle is hit or missed whichever way round its corners go") {
 
 TEST_CASE("the weights of a hit are those of its point in the triangle") {
   holds([] {
-    const Corners given = corners();
+    const Points given = corners();
     const Ray ray = aimed(given);
-    LocalHit hit;
+    TriangleHit hit;
     RC_PRE(meets(given, 0, false, ray, hit));
     // Not for rays in the plane, where a weight says nothing.
     const double bound = t_bound(given, ray, hit.t);
     RC_PRE(bound < 1e-6);
     const Vec3 point =
-        given.at[0] + hit.uv.x * (given.at[1] - given.at[0]) + hit.uv.y * (given.at[2] - given.at[0]);
-    RC_ASSERT(hit.uv.x >= -unit_roundoff);
-    RC_ASSERT(hit.uv.y >= -unit_roundoff);
-    RC_ASSERT(hit.uv.x + hit.uv.y <= 1 + 4 * unit_roundoff);
+        given.at[0] + hit.u * (given.at[1] - given.at[0]) + hit.v * (given.at[2] - given.at[0]);
+    RC_ASSERT(hit.u >= -unit_roundoff);
+    RC_ASSERT(hit.v >= -unit_roundoff);
+    RC_ASSERT(hit.u + hit.v <= 1 + 4 * unit_roundoff);
     // Each weight is a quotient as t is, of the same determinant.
     RC_ASSERT(glm::length(point - ray.at(hit.t)) <= 8 * bound + 64 * unit_roundoff * 16);
   });
@@ -104,9 +103,9 @@ TEST_CASE("the weights of a hit are those of its point in the triangle") {
 TEST_CASE("no ray passes between two triangles that share an edge") {
   holds(
       [] {
-        const Corners given = corners();
+        const Points given = corners();
         const Vec3 opposite = (*place()).at;
-        const Corners other{{given.at[1], given.at[0], opposite}};
+        const Points other{{given.at[1], given.at[0], opposite}};
         RC_PRE(!is_zero(given.area()) && !is_zero(other.area()));
         // At a place of the shared edge, from where the two do not hide each other: the third corners are on
         // either side of the plane of the ray and the edge.
@@ -118,7 +117,7 @@ TEST_CASE("no ray passes between two triangles that share an edge") {
         const Vec3 plane = glm::cross(given.at[1] - given.at[0], ray.direction);
         const double here = glm::dot(plane, given.at[2] - target), there = glm::dot(plane, opposite - target);
         RC_PRE(here * there < 0 && std::min(std::abs(here), std::abs(there)) > 1e-6);
-        LocalHit hit;
+        TriangleHit hit;
         RC_ASSERT(meets(given, 0, false, ray, hit) || meets(other, 0, false, ray, hit));
       },
       2000);
