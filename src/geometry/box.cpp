@@ -2,7 +2,43 @@
 
 #include <algorithm>
 
+#include "geometry/rounding.hpp"
+
 namespace trace {
+namespace {
+
+// Where two faces meet, rounding can put the hit beyond the edge of both, and none is found. But a ray that
+// is between all three pairs of planes for longer than the rounding of both ends, two roundings each,
+// certainly crosses the box: by the face where it comes in, or out if it starts inside. -1 for none.
+int face_across(const Ray& ray, double& t) {
+  double enter = -std::numeric_limits<double>::infinity(), leave = std::numeric_limits<double>::infinity();
+  int in = 0, out = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0) {
+      if (std::abs(o) > 0.5) return -1;
+      continue;
+    }
+    const double near = d > 0 ? -0.5 : 0.5;
+    if ((near - o) / d > enter) {
+      enter = (near - o) / d;
+      in = d > 0 ? axis : axis + 3;
+    }
+    if ((-near - o) / d < leave) {
+      leave = (-near - o) / d;
+      out = d > 0 ? axis + 3 : axis;
+    }
+  }
+  if (!(leave - enter > gamma(4) * (std::abs(enter) + std::abs(leave)))) return -1;
+  const auto is_ahead = [&](int face, double at) {
+    return at > ray.least_t && std::abs(face / 3 - 0.5 - ray.origin[face % 3]) > ray.origin_error;
+  };
+  t = is_ahead(in, enter) ? enter : leave;
+  if (t == enter) return in;
+  return is_ahead(out, leave) ? out : -1;
+}
+
+}  // namespace
 
 bool Box::intersect(const Ray& ray, LocalHit& hit) const {
   double best = std::numeric_limits<double>::infinity();
@@ -21,7 +57,11 @@ bool Box::intersect(const Ray& ray, LocalHit& hit) const {
       best_face = face;
     }
   }
-  if (best_face < 0) return false;
+  if (best_face < 0) {
+    best_face = face_across(ray, best);
+    if (best_face < 0) return false;
+    hit.is_gap = true;
+  }
 
   const int axis = best_face % 3;
   const int low = axis == 0 ? 1 : 0, high = axis == 2 ? 1 : 2;

@@ -41,7 +41,37 @@ bool Cylinder::intersect(const Ray& ray, LocalHit& hit) const {
   const bool on_side = intersect_side(ray, side);
   const bool on_cap = intersect_caps(ray, hit);
   if (on_side && (!on_cap || side.t < hit.t)) hit = side;
-  return on_side || on_cap;
+  return on_side || on_cap || intersect_across_rim(ray, hit);
+}
+
+// At the rim, rounding can put the hit on the side beyond the cap and the hit on the cap beyond the side.
+bool Cylinder::intersect_across_rim(const Ray& ray, LocalHit& hit) const {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const Vec3 &o = ray.origin, &d = ray.direction;
+  const double a = radius_squared(d), c = radius_squared(o) - 1.0;
+  Roots side{-inf, inf}, caps{-inf, inf};
+  if (a == 0 ? c > 0 : !roots_of_side(ray, a, c, side)) return false;
+  if (d.z == 0) {
+    if (o.z < 0 || o.z > 1) return false;
+  } else {
+    const double bottom = -o.z / d.z, top = (1.0 - o.z) / d.z;
+    caps = {std::min(bottom, top), std::max(bottom, top)};
+  }
+  const double enter = std::max(side.first, caps.first), leave = std::min(side.second, caps.second);
+  // The roots are within 2^-26 of the size (quadratic.hpp); beyond, the ray certainly crosses the cylinder.
+  if (!(leave - enter > 0x1p-20 * (std::abs(enter) + std::abs(leave)))) return false;
+  const double unsure = 4 * ray.origin_error + 2 * gamma(4);
+  const auto meets = [&](double t, bool on_cap, bool upward_cap) {
+    if (!(t > ray.least_t)) return false;
+    if (on_cap ? std::abs(o.z - upward_cap) <= ray.origin_error : std::abs(c) <= unsure) return false;
+    const Vec3 p = ray.at(t);
+    hit.t = t;
+    hit.normal = on_cap ? Vec3(0, 0, upward_cap ? 1 : -1) : glm::normalize(Vec3(p.x, p.y, 0));
+    hit.is_gap = true;
+    return true;
+  };
+  const bool upward = d.z > 0;
+  return meets(enter, caps.first > side.first, !upward) || meets(leave, caps.second < side.second, upward);
 }
 
 bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {

@@ -18,6 +18,8 @@ struct Cylinder {
   // Rays along the axis have no hit here.
   bool intersect_side(const Ray& ray, LocalHit& hit) const;
   bool intersect_caps(const Ray& ray, LocalHit& hit) const;
+  // Of rays that certainly cross the cylinder though they meet neither.
+  bool intersect_across_rim(const Ray& ray, LocalHit& hit) const;
 };
 
 }  // namespace trace

@@ -31,17 +31,17 @@ Expansion Expansion::difference(double a, double b) {
   return result;
 }
 
-// Shewchuk's GROW-EXPANSION.
-Expansion Expansion::plus(double b) const {
-  Expansion result;
+// Shewchuk's GROW-EXPANSION, in place: what is written never overtakes what is read.
+void Expansion::add(double b) {
+  const std::size_t count = size_;
+  size_ = 0;
   double carry = b;
-  for (std::size_t i = 0; i < size_; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const Pair sum = two_sum(carry, terms_[i]);
-    result.append(sum.error);
+    append(sum.error);
     carry = sum.value;
   }
-  result.append(carry);
-  return result;
+  append(carry);
 }
 
 // Shewchuk's SCALE-EXPANSION.
@@ -64,7 +64,7 @@ Expansion Expansion::times(double b) const {
 
 Expansion operator+(const Expansion& a, const Expansion& b) {
   Expansion result = a;
-  for (std::size_t i = 0; i < b.size_; ++i) result = result.plus(b.terms_[i]);
+  for (std::size_t i = 0; i < b.size_; ++i) result.add(b.terms_[i]);
   return result;
 }
 
@@ -80,7 +80,10 @@ Expansion operator-(const Expansion& a, const Expansion& b) {
 
 Expansion operator*(const Expansion& a, const Expansion& b) {
   Expansion result;
-  for (std::size_t i = 0; i < b.size_; ++i) result = result + a.times(b.terms_[i]);
+  for (std::size_t i = 0; i < b.size_; ++i) {
+    const Expansion part = a.times(b.terms_[i]);
+    for (std::size_t j = 0; j < part.size_; ++j) result.add(part.terms_[j]);
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 // exact as long as nothing overflows or underflows. Meant for the rare case that rounding could decide wrong.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 namespace trace {
@@ -12,6 +13,12 @@ namespace trace {
 class Expansion {
  public:
   Expansion() = default;
+  Expansion(const Expansion& other) { *this = other; }
+  Expansion& operator=(const Expansion& other) {
+    size_ = other.size_;
+    std::copy_n(other.terms_.begin(), size_, terms_.begin());
+    return *this;
+  }
   Expansion(double value) { append(value); }  // NOLINT: a double is one
 
   // a - b
@@ -36,7 +43,7 @@ class Expansion {
   void append(double term) {
     if (term != 0) terms_[size_++] = term;
   }
-  Expansion plus(double b) const;
+  void add(double b);
   Expansion times(double b) const;
 
   std::array<double, max_terms> terms_;  // only the first size_ are set

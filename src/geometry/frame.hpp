@@ -1,8 +1,6 @@
 // The space of an object: its place in the world, and rays carried into it.
 #pragma once
 
-#include <algorithm>
-
 #include "geometry/placement.hpp"
 #include "geometry/ray.hpp"
 #include "geometry/rounding.hpp"
@@ -74,7 +72,7 @@ struct ObjectRay {
     scale = along.length;
     const double origin_error =
         frame.to_object_stretch * world.origin_error + frame.error(largest(world.origin));
-    ray = {origin, along.direction, origin_error, std::min(world.least_t * scale, course_least_t)};
+    ray = {origin, along.direction, origin_error, world.least_t * scale};
   }
 };
 

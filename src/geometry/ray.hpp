@@ -34,7 +34,7 @@ struct LocalHit {
   Vec3 normal{0, 0, 1};
   Vec2 uv{0, 0};
   std::uint32_t part = 0;
-  bool is_gap = false;  // a mesh is hit where the course's renderer has a pinhole (mesh_gaps.hpp)
+  bool is_gap = false;  // hit where the course's renderer has a pinhole; what else is at the place goes first
 };
 
 }  // namespace trace

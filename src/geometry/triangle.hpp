@@ -42,10 +42,10 @@ bool crosses_exactly(const Corners& corners, const Ray& ray, TriangleHit& hit);
 // is decided by what else there is at the same place (acceleration/mesh_gaps.hpp).
 Meeting meets_after_all(const Corners& corners, const Ray& ray, TriangleHit& hit);
 
-// Whether two hits are as near to each other along a ray as two that are well determined and should be equal:
-// off by some 2^-50 each.
-inline bool same_place(double t, double other_t) {
-  return std::abs(t - other_t) <= 0x1p-40 * std::abs(t);
+// Whether a hit, if any, is as near to a gap along the ray as two that are well determined and should be
+// equal: off by some 2^-50 each.
+inline bool same_place(double t, double gap_t) {
+  return std::abs(t - gap_t) <= 0x1p-40 * gap_t;
 }
 
 // Where the determinant, six times the volume of the direction and the triangle's edges, is no larger, t as a

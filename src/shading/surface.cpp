@@ -62,11 +62,11 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
 }
 
 Ray Surface::leaving(const Vec3& direction) const {
-  // Along the normal the point is off by at most sqrt(3) of its error, and the side to which the ray leaves
-  // by as much again. A ray that grazes by less than 2^-20 runs in the surface as far as it can tell, and may
-  // meet what stands at its edge, as in the course's pictures.
-  const double cosine = std::max(std::abs(glm::dot(facing_, direction)), 0x1p-20);
-  return {point_, direction, point_error_, 4 * point_error_ / cosine};
+  // Along the normal the point is off by at most sqrt(3) of its error, and the surface that the ray leaves by
+  // as much again: up to this height above it all is one. A ray that does not rise at all, as far as its
+  // direction tells, runs in the surface and meets what stands at its edge, as in the course's pictures.
+  const double cosine = std::abs(glm::dot(facing_, direction));
+  return {point_, direction, point_error_, cosine > 0x1p-36 ? 4 * point_error_ / cosine : 0};
 }
 
 }  // namespace trace
