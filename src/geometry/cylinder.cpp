@@ -41,11 +41,13 @@ bool Cylinder::intersect(const Ray& ray, LocalHit& hit) const {
   const bool on_side = intersect_side(ray, side);
   const bool on_cap = intersect_caps(ray, hit);
   if (on_side && (!on_cap || side.t < hit.t)) hit = side;
-  return on_side || on_cap || intersect_across_rim(ray, hit);
+  const bool found = on_side || on_cap;
+  if (found && !(glm::dot(hit.normal, ray.direction) > 0)) return true;
+  return intersect_across_rim(ray, found, hit) || found;
 }
 
 // At the rim, rounding can put the hit on the side beyond the cap and the hit on the cap beyond the side.
-bool Cylinder::intersect_across_rim(const Ray& ray, LocalHit& hit) const {
+bool Cylinder::intersect_across_rim(const Ray& ray, bool leaves, LocalHit& hit) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Vec3 &o = ray.origin, &d = ray.direction;
   const double a = radius_squared(d), c = radius_squared(o) - 1.0;
@@ -58,8 +60,8 @@ bool Cylinder::intersect_across_rim(const Ray& ray, LocalHit& hit) const {
     caps = {std::min(bottom, top), std::max(bottom, top)};
   }
   const double enter = std::max(side.first, caps.first), leave = std::min(side.second, caps.second);
-  // The roots are within 2^-26 of the size (quadratic.hpp); beyond, the ray certainly crosses the cylinder.
-  if (!(leave - enter > 0x1p-20 * (std::abs(enter) + std::abs(leave)))) return false;
+  // The roots are within 2^-35 of the size (quadratic.hpp); beyond, the ray certainly crosses the cylinder.
+  if (!(leave - enter > 0x1p-30 * (std::abs(enter) + std::abs(leave)))) return false;
   const double unsure = 4 * ray.origin_error + 2 * gamma(4);
   const auto meets = [&](double t, bool on_cap, bool upward_cap) {
     if (!(t > ray.least_t)) return false;
@@ -71,7 +73,8 @@ bool Cylinder::intersect_across_rim(const Ray& ray, LocalHit& hit) const {
     return true;
   };
   const bool upward = d.z > 0;
-  return meets(enter, caps.first > side.first, !upward) || meets(leave, caps.second < side.second, upward);
+  return meets(enter, caps.first > side.first, !upward) ||
+         (!leaves && meets(leave, caps.second < side.second, upward));
 }
 
 bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {

@@ -19,7 +19,7 @@ struct Cylinder {
   bool intersect_side(const Ray& ray, LocalHit& hit) const;
   bool intersect_caps(const Ray& ray, LocalHit& hit) const;
   // Of rays that certainly cross the cylinder though they meet neither.
-  bool intersect_across_rim(const Ray& ray, LocalHit& hit) const;
+  bool intersect_across_rim(const Ray& ray, bool leaves, LocalHit& hit) const;
 };
 
 }  // namespace trace

@@ -16,9 +16,9 @@ struct Discriminant {
   double value, terms;
 
   // As the textbook has it, from coefficients that are rounded themselves, it is off by less than gamma(8)
-  // terms. Beyond 2^-24 terms it has 25 good bits, and a hit is within 2^-26 of the size of the object from
-  // its surface. Else a form without cancellation must be asked.
-  bool is_well_conditioned() const { return std::abs(value) > 0x1p-24 * terms; }
+  // terms. Beyond 2^-16 terms it is good to 2^-34, and a hit is within half of that, 2^-35 of the size of the
+  // object, of its surface. Else a form without cancellation must be asked.
+  bool is_well_conditioned() const { return std::abs(value) > 0x1p-16 * terms; }
 
   // For the form without cancellation, whose few terms are each off by less than gamma(8). Where it cannot
   // tell either, a ray touches the quadric as far as doubles can say, and the course's pictures have the last
