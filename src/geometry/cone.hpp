@@ -19,6 +19,12 @@ class Cone {
   Bounds bounds() const;
   bool intersect(const Ray& ray, LocalHit& hit) const;
 
+  // At right angles to the surface where a hit has `normal`, which on the side has twice the z part.
+  static Vec3 facing(const Vec3& normal) {
+    const bool on_side = normal.x != 0 || normal.y != 0;
+    return {normal.x, normal.y, on_side ? 0.5 * normal.z : normal.z};
+  }
+
   // From the side, or from the caps, whichever the normal of a hit belongs to; at least as much as the real
   // one.
   double distance(const Vec3& p, const Vec3& normal) const;

@@ -14,10 +14,13 @@ Material mixed(const SceneMesh& mesh, const LocalHit& hit) {
   return mix(mesh.materials[face[0]], mesh.materials[face[1]], mesh.materials[face[2]], 1.0 - u - v, u, v);
 }
 
+// Cosines smaller than this say only that a ray runs in a surface.
+constexpr double least_cosine = 0x1p-36;
+
 // Bound on the distance of a hit's point from the surface that was hit, as a displacement in each coordinate
 // of the world. It is measured rather than derived from how the point came about: carry the point into the
 // space of the object, which is off by a known bound, and see how far from the surface it is there.
-double error_of_point(const Scene& scene, const Object& object, const LocalHit& hit, const Vec3& point) {
+double height_of_point(const Scene& scene, const Object& object, const LocalHit& hit, const Vec3& point) {
   const Frame& frame = scene.frames[object.frame];
   const Vec3 p(frame.to_object * Vec4(point, 1));
   const double distance = std::visit(
@@ -51,22 +54,27 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
       own_ = mixed(mesh, hit.local);
       material_ = &own_;
     }
-  } else if (material.has_maps()) {
+  } else if (std::holds_alternative<Cone>(object.shape)) {
+    facing = Cone::facing(normal);
+  }
+  if (material.has_maps() && !std::holds_alternative<MeshId>(object.shape)) {
     own_ = at_point(material, scene.textures, hit.local.uv);
     material_ = &own_;
   }
   const Frame& frame = scene.frames[object.frame];
   normal_ = frame.world_normal(normal);
   facing_ = normal == facing ? normal_ : frame.world_normal(facing);
-  point_error_ = error_of_point(scene, object, hit.local, point_);
+  height_ = height_of_point(scene, object, hit.local, point_);
+  // Where the point should be is further on or back along the ray.
+  point_error_ = height_ / std::max(std::abs(glm::dot(facing_, ray.direction)), least_cosine);
 }
 
 Ray Surface::leaving(const Vec3& direction) const {
-  // Along the normal the point is off by at most sqrt(3) of its error, and the surface that the ray leaves by
-  // as much again: up to this height above it all is one. A ray that does not rise at all, as far as its
-  // direction tells, runs in the surface and meets what stands at its edge, as in the course's pictures.
+  // Along the normal the point is off by at most sqrt(3) of the height in each coordinate, and the surface
+  // that the ray leaves by as much again: up to there all is one. A ray that does not rise at all, as far as
+  // its direction tells, runs in the surface and meets what stands at its edge, as in the course's pictures.
   const double cosine = std::abs(glm::dot(facing_, direction));
-  return {point_, direction, point_error_, cosine > 0x1p-36 ? 4 * point_error_ / cosine : 0};
+  return {point_, direction, point_error_, cosine > least_cosine ? 4 * height_ / cosine : 0};
 }
 
 }  // namespace trace

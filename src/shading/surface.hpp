@@ -19,14 +19,15 @@ class Surface {
   const Material& material() const { return *material_; }
 
   // The ray from the point on, to either side. It starts exactly at the point, as the course's do, and knows
-  // how far that may be from the surface.
+  // how far that may be from the true one.
   Ray leaving(const Vec3& direction) const;
 
  private:
   Vec3 point_;
   Vec3 normal_;
   Vec3 facing_;               // the normal of the surface as it is, where `normal_` is interpolated
-  double point_error_;        // how far the point may be from the surface, in each coordinate
+  double height_;             // how far the point may be from the surface, in each coordinate
+  double point_error_;        // how far from where the ray meets the surface
   Material own_;              // filled where the material varies over the surface
   const Material* material_;  // own_ or the scene's
 };
