@@ -78,10 +78,15 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
   Roots roots;
   if (!side_roots(ray, from_apex, roots)) return false;
 
+  // A coordinate of a place on the ray is off by a few roundings of both its terms and of t. At the rim, side
+  // and caps both count within that, so that no ray passes between them.
+  const auto rounding = [&](double t, int axis) {
+    return gamma(8) * (std::abs(o[axis]) + std::abs(t * d[axis]));
+  };
   // The mirror image of the cone beyond its apex is never between z = 0 and z = height.
   const auto on_side = [&](double t) {
-    const double z = o.z + t * d.z;
-    return z >= 0 && z <= height_;
+    const double z = o.z + t * d.z, slack = rounding(t, 2);
+    return z >= -slack && z <= height_ + slack && slack <= height_;  // not where t is infinite
   };
   const double r1 = roots.second, r2 = roots.first;  // with + and - before the square root
   const bool good1 = on_side(r1), good2 = on_side(r2);
@@ -101,7 +106,9 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
       if (std::abs(z - o.z) <= ray.origin_error) return;
       const double cap_t = (z - o.z) / d.z;
       if (!(cap_t > ray.least_t && cap_t < t)) return;
-      if (!(radius_squared(ray.at(cap_t)) <= radius * radius)) return;
+      const Vec3 p = ray.at(cap_t);
+      const double slack = 2 * (std::abs(p.x) * rounding(cap_t, 0) + std::abs(p.y) * rounding(cap_t, 1));
+      if (!(radius_squared(p) <= radius * radius + slack)) return;
       t = cap_t;
       hit.normal = Vec3(0, 0, d.z > 0 ? -facing : facing);
     };

@@ -48,6 +48,19 @@ double inside_length(const Shape& shape, const Touch& at, const Vec3& d) {
   return 0;
 }
 
+// Whether a point is in the solid by more than any error of a place; of a ray that runs along a face, at the
+// edge of which it starts, rounding says on which side.
+bool is_well_inside(const Shape& shape, const Vec3& p) {
+  constexpr double margin = 1e-6;
+  if (std::holds_alternative<Box>(shape)) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 0.5 - margin;
+  }
+  if (std::holds_alternative<Cylinder>(shape)) {
+    return p.x * p.x + p.y * p.y < 1 - margin && p.z > margin && p.z < 1 - margin;
+  }
+  return true;
+}
+
 struct Counts {
   Row &trace, &textbook;
   Digest& digest;
@@ -73,15 +86,16 @@ void go_inward(Counts counts, Random& random, const Solid& solid, const SceneTre
   const ObjectRay local(solid.scene.frames[0], {at.ray.at(at.hit.t), direction});
   const Shape& shape = solid.scene.objects[0].shape;
   // Where the way through is short, or the ray hardly leaves the surface, rounding may rightly lose it.
-  if (-glm::dot(direction, at.outward) < 1e-3 || !(inside_length(shape, at, local.ray.direction) > 1e-2))
-    return;
+  const double length = inside_length(shape, at, local.ray.direction);
+  if (-glm::dot(direction, at.outward) < 1e-3 || !(length > 1e-2)) return;
+  if (!is_well_inside(shape, at.local + 0.5 * length * local.ray.direction)) return;
   const Ray ray = leaving(solid.scene, at.ray, at.hit, direction);
   ++counts.trace.rays;
   const Hit far = tree.closest(ray, false);
   // At least half the way: not the place that it left.
   if (!far) {
     ++counts.trace.misses;
-  } else if (far.local.t < 0.5 * inside_length(shape, at, local.ray.direction)) {
+  } else if (far.local.t < 0.5 * length) {
     ++counts.trace.self_hits;
   }
   counts.digest.add_hit(bool(far), far ? far.t : 0);
