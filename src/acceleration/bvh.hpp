@@ -26,8 +26,9 @@ struct alignas(64) BvhNode {
 struct Bvh {
   std::vector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
   std::vector<std::uint32_t> order;  // items in the order of the leaves
-  Vec3 centre{0};   // boxes are relative to it, so that they are tight wherever the items are
-  float slack = 0;  // by which a hit's t may come out too small (see upper_limit)
+  Vec3 centre{0};  // boxes are relative to it, so that they are tight wherever the items are
+  std::array<float, 4> centre_error{};  // 2^-44 of its coordinates
+  float slack = 0;                      // by which a hit's t may come out too small (see upper_limit)
 };
 
 // Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
@@ -44,13 +45,13 @@ inline constexpr int max_bvh_depth = max_sah_depth + 32;
 // is rounded to float (error <= 2^-24 |o|) and the difference and product round again. The planes are
 // therefore moved apart by e = 2^-22 |o| + 2^-44 |c|, which covers the first with room for the rounding of
 // hits themselves (double, some 2^-50 of the coordinates before they were made relative), and the inverse is
-// made smaller for entering and larger for leaving by 2^-21, which covers the four roundings (4 * 2^-24) that
+// made smaller for entering and larger for leaving by 2^-21, which covers the six roundings (6 * 2^-24) that
 // are relative to the distance (Ize, "Robust BVH Ray Traversal", JCGT 2(2) 2013). d = 0, of either sign,
 // gives an infinite inverse: the slab is then all or nothing, and 0 * inf = NaN, a ray within a boundary
 // plane, passes because the minimum and maximum below keep the other operand.
 struct BvhRay {
-  float near_origin[3], far_origin[3];
-  float near_inverse[3], far_inverse[3];
+  alignas(16) float near_origin[4], far_origin[4];
+  alignas(16) float near_inverse[4], far_inverse[4];
   bool negative[3];
 
   BvhRay(const Bvh& bvh, const Ray& ray);

@@ -79,6 +79,9 @@ class Builder {
     collapse(result);
     result.order = std::move(order_);
     result.centre = centre_;
+    for (int axis = 0; axis < 3; ++axis) {
+      result.centre_error[axis] = static_cast<float>(0x1p-44 * std::abs(centre_[axis]));
+    }
     result.slack = slack_;
     return result;
   }

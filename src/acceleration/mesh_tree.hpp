@@ -3,6 +3,7 @@
 
 #include "acceleration/bvh.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/rounding.hpp"
 
 namespace trace {
 
@@ -22,16 +23,20 @@ class MeshTree {
 
  private:
   // The triangle at `place` in the order of the leaves. Never `unsure`.
-  Meeting meet(std::uint32_t place, const Ray& ray, TriangleHit& hit) const {
-    const Meeting meeting = meets(triangles_[place], ray, hit);
+  Meeting meet(std::uint32_t place, const Ray& ray, double reach, double limit, TriangleHit& hit) const {
+    const Meeting meeting = meets(triangles_[place], ray, reach, limit, hit);
     return meeting == Meeting::unsure ? meets_after_all(mesh_->corners(faces_[place]), ray, hit) : meeting;
   }
 
+  // The sum of sizes of the way from any corner to the origin is at most this.
+  double reach_to(const Vec3& origin) const { return sum_of_sizes(origin - centre_) + radius_; }
   bool is_from_behind(std::uint32_t place, const Ray& ray) const {
     return glm::dot(face_normal(triangles_[place]), ray.direction) > 0;
   }
 
   const Mesh* mesh_;
+  Vec3 centre_;
+  double radius_;  // as a sum of sizes
   Bvh bvh_;
   std::vector<Triangle> triangles_;   // in the order of the leaves
   std::vector<std::uint32_t> faces_;  // their numbers in the mesh

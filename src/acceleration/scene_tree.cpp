@@ -1,5 +1,7 @@
 #include "acceleration/scene_tree.hpp"
 
+#include <optional>
+
 namespace trace {
 namespace {
 
@@ -53,7 +55,8 @@ std::uint32_t SceneTree::object_at(std::uint32_t place) const {
 }
 
 Hit SceneTree::closest(const Ray& ray, bool cull) const {
-  Hit best, gap;
+  Hit best;
+  std::optional<Hit> gap;
   FrameRays rays(scene_, ray);
   visit_leaves(ray, best.t, [&](std::uint32_t first, std::uint32_t count, double) {
     for (std::uint32_t i = first; i < first + count; ++i) {
@@ -73,13 +76,16 @@ Hit SceneTree::closest(const Ray& ray, bool cull) const {
           object.shape);
       if (!found) continue;
       const double t = hit.t / local.scale;
-      Hit& other = hit.is_gap ? gap : best;
-      if (t < other.t || (t == other.t && id < other.object)) other = {t, id, hit};
+      if (hit.is_gap) {
+        if (!gap || t < gap->t || (t == gap->t && id < gap->object)) gap = {t, id, hit};
+      } else if (t < best.t || (t == best.t && id < best.object)) {
+        best = {t, id, hit};
+      }
     }
     return best.t;
   });
   // Where something else is hit at the place of a gap in a mesh, it is that.
-  return gap.t < best.t && !same_place(best.t, gap.t) ? gap : best;
+  return gap && gap->t < best.t && !same_place(best.t, gap->t) ? *gap : best;
 }
 
 bool SceneTree::occluded(const Ray& ray, double limit) const {

@@ -15,12 +15,12 @@ Bounds transformed(const Bounds& b, const Mat4& m) {
 }
 
 bool hits_bounds(const Bounds& b, const Ray& ray) {
-  const Vec3 to_min = (b.min - ray.origin) / ray.direction, to_max = (b.max - ray.origin) / ray.direction;
   double enter = -std::numeric_limits<double>::infinity();
   double leave = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     if (ray.direction[axis] == 0) continue;
-    double t1 = to_min[axis], t2 = to_max[axis];
+    double t1 = (b.min[axis] - ray.origin[axis]) / ray.direction[axis];
+    double t2 = (b.max[axis] - ray.origin[axis]) / ray.direction[axis];
     if (t1 > t2) std::swap(t1, t2);
     if (t1 > enter) enter = t1;
     if (t2 < leave) leave = t2;

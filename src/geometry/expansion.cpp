@@ -1,35 +1,8 @@
 #include "geometry/expansion.hpp"
 
-#include <cmath>
+#include "geometry/double_double.hpp"
 
 namespace trace {
-namespace {
-
-struct Pair {
-  double value, error;  // value + error is exact
-};
-
-// Knuth's sum of two numbers in any order.
-Pair two_sum(double a, double b) {
-  const double sum = a + b;
-  const double of_b = sum - a, of_a = sum - of_b;
-  return {sum, (a - of_a) + (b - of_b)};
-}
-
-Pair two_product(double a, double b) {
-  const double product = a * b;
-  return {product, std::fma(a, b, -product)};
-}
-
-}  // namespace
-
-Expansion Expansion::difference(double a, double b) {
-  const Pair pair = two_sum(a, -b);
-  Expansion result;
-  result.append(pair.error);
-  result.append(pair.value);
-  return result;
-}
 
 // Shewchuk's GROW-EXPANSION, in place: what is written never overtakes what is read.
 void Expansion::add(double b) {
@@ -37,9 +10,9 @@ void Expansion::add(double b) {
   size_ = 0;
   double carry = b;
   for (std::size_t i = 0; i < count; ++i) {
-    const Pair sum = two_sum(carry, terms_[i]);
-    append(sum.error);
-    carry = sum.value;
+    const DoubleDouble sum = exact_sum(carry, terms_[i]);
+    append(sum.low);
+    carry = sum.high;
   }
   append(carry);
 }
@@ -48,17 +21,17 @@ void Expansion::add(double b) {
 Expansion Expansion::times(double b) const {
   Expansion result;
   if (size_ == 0) return result;
-  Pair carry = two_product(terms_[0], b);
-  result.append(carry.error);
+  DoubleDouble carry = exact_product(terms_[0], b);
+  result.append(carry.low);
   for (std::size_t i = 1; i < size_; ++i) {
-    const Pair product = two_product(terms_[i], b);
-    const Pair low = two_sum(carry.value, product.error);
-    result.append(low.error);
-    const Pair high = two_sum(product.value, low.value);
-    result.append(high.error);
-    carry.value = high.value;
+    const DoubleDouble product = exact_product(terms_[i], b);
+    const DoubleDouble low = exact_sum(carry.high, product.low);
+    result.append(low.low);
+    const DoubleDouble high = exact_sum(product.high, low.high);
+    result.append(high.low);
+    carry.high = high.high;
   }
-  result.append(carry.value);
+  result.append(carry.high);
   return result;
 }
 

@@ -21,9 +21,6 @@ class Expansion {
   }
   Expansion(double value) { append(value); }  // NOLINT: a double is one
 
-  // a - b
-  static Expansion difference(double a, double b);
-
   friend Expansion operator+(const Expansion& a, const Expansion& b);
   friend Expansion operator-(const Expansion& a, const Expansion& b);
   friend Expansion operator*(const Expansion& a, const Expansion& b);

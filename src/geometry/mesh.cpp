@@ -10,12 +10,12 @@ Corners Mesh::corners(std::uint32_t face) const {
 }
 
 double Mesh::distance(std::uint32_t face, const Vec3& p) const {
-  const Triangle t = triangle(face);
-  const Vec3 normal = accurate_cross(t.ab, t.ac);
-  const Vec3 from_a = p - t.a;
+  const Corners at = corners(face);
+  const Vec3 ab = at.b - at.a, ac = at.c - at.a, from_a = p - at.a;
+  const Vec3 normal = glm::cross(ab, ac);
   // The normal is off by gamma(4) of the products of which it is the difference, in each coordinate; those of
   // a thin triangle are much larger than itself.
-  const double error = gamma(8) * 2 * largest(t.ab) * largest(t.ac) * sum_of_sizes(from_a);
+  const double error = gamma(8) * 2 * largest(ab) * largest(ac) * sum_of_sizes(from_a);
   return (std::abs(glm::dot(from_a, normal)) + error) / glm::length(normal);
 }
 

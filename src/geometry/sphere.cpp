@@ -6,14 +6,18 @@
 namespace trace {
 namespace {
 
-// The course's discriminant b^2 - o.o + 1 loses its digits where the origin is far away. This is the same
-// without cancellation: d.d - |o x d|^2 (Haines, Guenther, Akenine-Moeller, "Precision Improvements for
-// Ray/Sphere Intersection", Ray Tracing Gems, ch. 7, with the cross product in place of the difference of
-// vectors).
-Discriminant stable_discriminant(const Ray& ray, double a) {
+// Where the course's discriminant b^2 - o.o + 1 loses its digits, far away or near the rim. The same without
+// cancellation is d.d - |o x d|^2 (Haines, Guenther, Akenine-Moeller, "Precision Improvements for Ray/Sphere
+// Intersection", Ray Tracing Gems, ch. 7, with the cross product in place of the difference of vectors).
+// False for no root; `roots` stay as they are where this form cannot tell either.
+bool ask_stable_form(const Ray& ray, double b, double c, double discriminant, Roots& roots) {
   const Vec3 moment = accurate_cross(ray.origin, ray.direction);
-  const double square = glm::dot(moment, moment);
-  return {a - square, a + square};
+  const double a = glm::dot(ray.direction, ray.direction), square = glm::dot(moment, moment);
+  const Discriminant stable{a - square, a + square};
+  if (!stable.is_decided()) return discriminant >= 0;
+  if (stable.value < 0) return false;
+  roots = stable_roots(a, -b, c, std::sqrt(stable.value));
+  return true;
 }
 
 }  // namespace
@@ -26,19 +30,11 @@ bool Sphere::intersect(const Ray& given, LocalHit& hit) const {
   const double square = glm::dot(to_centre, to_centre);
   const double discriminant = b * b - square + 1;
   const double c = square - 1;  // positive outside
-  Roots roots;
-  const double a = glm::dot(ray.direction, ray.direction);
-  Discriminant stable{0, 0};
-  if (!Discriminant{discriminant, b * b + square + 1}.is_well_conditioned())
-    stable = stable_discriminant(ray, a);
-  if (stable.is_decided()) {
-    if (stable.value < 0) return false;
-    roots = stable_roots(a, -b, c, std::sqrt(stable.value));
-  } else {
-    if (!(discriminant >= 0)) return false;
-    const double root = std::sqrt(discriminant);
-    roots = {b - root, b + root};
-  }
+  const bool is_good = Discriminant{discriminant, b * b + square + 1}.is_well_conditioned();
+  if (is_good && discriminant < 0) return false;
+  const double root = std::sqrt(discriminant);
+  Roots roots{b - root, b + root};
+  if (!is_good && !ask_stable_form(ray, b, c, discriminant, roots)) return false;
   // c changes by 2 |o| for a step along the normal, which next to the surface is 2; in each coordinate the
   // origin may be off by its error, so by sqrt(3) times as much along the normal. c itself is off by gamma(4)
   // (o.o + 1).

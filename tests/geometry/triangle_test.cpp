@@ -12,7 +12,7 @@ namespace {
 const Corners corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 bool meets(const Corners& where, const Ray& ray, TriangleHit& hit) {
-  Meeting meeting = meets(Triangle(where), ray, hit);
+  Meeting meeting = meets(Triangle(where), ray, std::numeric_limits<double>::infinity(), hit);
   if (meeting == Meeting::unsure) meeting = meets_after_all(where, ray, hit);
   return meeting == Meeting::hit;
 }

@@ -18,14 +18,14 @@ inline Corners corners(const Mesh& mesh, std::uint32_t face) {
   return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
 }
 
-// The triangle predicate on one face: the fast form where it is certain, else the exact one.
+// The triangle predicate on one face: exact, but for faces that the fast form certainly misses.
 inline bool meets(const Mesh& mesh, std::uint32_t face, const Ray& ray, double& t) {
   TriangleHit hit;
-  const Meeting meeting = trace::meets(mesh.triangle(face), ray, hit);
-  const bool met =
-      meeting == Meeting::unsure ? crosses_exactly(mesh.corners(face), ray, hit) : meeting == Meeting::hit;
+  const double no_limit = std::numeric_limits<double>::infinity();
+  if (trace::meets(mesh.triangle(face), ray, no_limit, hit) == Meeting::none) return false;
+  if (!crosses_exactly(mesh.corners(face), ray, hit)) return false;
   t = hit.t;
-  return met;
+  return true;
 }
 
 // All faces that the predicate accepts, in the order of the file, without a hierarchy.
