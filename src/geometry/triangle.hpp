@@ -76,8 +76,9 @@ inline Meeting meets(const Triangle& triangle, const Ray& ray, double reach, dou
   }
   const double inverse = 1.0 / determinant;
   hit = {t_dot * inverse, u_dot * inverse, v_dot * inverse};
-  if (hit.t > limit) return Meeting::none;
   if (!(whole > least_determinant(triangle))) return Meeting::unsure;
+  // 2^-23 of t and of the way to the triangle, with room.
+  if (hit.t > limit + 0x1p-20 * (limit + reach)) return Meeting::none;
   // Next to an edge the course's form decides if it says hit.
   const bool is_certain = u > bound && v > bound && u + v < whole - bound;
   if (!is_certain && !(hit.u >= 0 && hit.u <= 1 && hit.v >= 0 && hit.u + hit.v <= 1)) return Meeting::unsure;

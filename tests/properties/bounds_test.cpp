@@ -65,7 +65,7 @@ TEST_CASE("transformed bounds hold the transformed points") {
     Bounds bounds;
     bounds.add((*place()).at);
     bounds.add((*place()).at);
-    const Mat4 matrix = (*placement()).matrix();
+    const Mat4 matrix = (*transforms()).matrix();
     const Vec3 part = 0.5 + 0.5 * (*place_within()).at;
     const Vec3 inside = bounds.min + part * (bounds.max - bounds.min);
     const Vec3 moved(matrix * Vec4(inside, 1));
@@ -84,7 +84,7 @@ TEST_CASE("transformed bounds are no larger than the transformed corners") {
     Bounds bounds;
     bounds.add((*place()).at);
     bounds.add((*place()).at);
-    const Placement given = *placement();
+    const Transforms given = *transforms();
     const Mat4 matrix = given.matrix();
     const Bounds moved = transformed(bounds, matrix);
     Bounds corners;

@@ -19,7 +19,7 @@ constexpr double there_and_back = 64 * unit_roundoff * 8 * 120;
 
 TEST_CASE("a point into a space and back is the point") {
   holds([] {
-    const Frame frame((*placement()).matrix());
+    const Frame frame((*transforms()).matrix());
     const Vec3 p = (*place()).at;
     const Vec3 there(frame.to_world * Vec4(p, 1));
     RC_ASSERT(glm::length(Vec3(frame.to_object * Vec4(there, 1)) - p) <= there_and_back);
@@ -30,7 +30,7 @@ TEST_CASE("a point into a space and back is the point") {
 
 TEST_CASE("a ray in the space of an object passes through the same points at t times its scale") {
   holds([] {
-    const Frame frame((*placement()).matrix());
+    const Frame frame((*transforms()).matrix());
     const Ray world{(*place()).at, (*heading()).along};
     const ObjectRay object(frame, world);
     RC_ASSERT(std::abs(glm::length(object.ray.direction) - 1) <= 4 * unit_roundoff);
@@ -42,7 +42,7 @@ TEST_CASE("a ray in the space of an object passes through the same points at t t
 
 TEST_CASE("a normal stays across every tangent and on its side, mirrored or not") {
   holds([] {
-    const Frame frame((*placement()).matrix());
+    const Frame frame((*transforms()).matrix());
     const Vec3 normal = (*heading()).along;
     const Vec3 tangent = glm::cross(normal, (*heading()).along);
     const Mat3 linear(frame.to_world);

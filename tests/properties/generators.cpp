@@ -56,7 +56,7 @@ rc::Gen<Ray> aimed_ray() {
       place(), place_within());
 }
 
-rc::Gen<Placement> placement() {
+rc::Gen<Transforms> transforms() {
   // 1, -1, 9/8, -9/8, ... and their inverses.
   const auto scale =
       rc::gen::map(rc::gen::tuple(multiple(56, 0.125), rc::gen::arbitrary<bool>()), [](const auto& t) {
@@ -66,11 +66,11 @@ rc::Gen<Placement> placement() {
       });
   return rc::gen::map(rc::gen::tuple(three(coordinate()), direction(), three(scale), coordinate()),
                       [](const auto& t) {
-                        return Placement{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::get<3>(t)};
+                        return Transforms{std::get<0>(t), std::get<1>(t), std::get<2>(t), std::get<3>(t)};
                       });
 }
 
-Mat4 Placement::matrix() const {
+Mat4 Transforms::matrix() const {
   return glm::scale(glm::rotate(glm::translate(Mat4(1), move), angle, axis), scale);
 }
 
@@ -82,7 +82,7 @@ void showValue(const Heading& value, std::ostream& out) {
   out << "along " << shown(value.along);
 }
 
-void showValue(const Placement& value, std::ostream& out) {
+void showValue(const Transforms& value, std::ostream& out) {
   out << "translate " << shown(value.move) << " rotate " << shown(value.axis) << " by " << value.angle
       << " scale " << shown(value.scale);
 }

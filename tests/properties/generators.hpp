@@ -40,19 +40,16 @@ rc::Gen<Ray> aimed_ray();
 
 // translate, rotate, scale as the language applies them; scales between 1/8 and 8 either way, mirrors
 // included.
-struct Placement {
+struct Transforms {
   Vec3 move, axis, scale;
   double angle;
 
   Mat4 matrix() const;
 };
-rc::Gen<Placement> placement();
+rc::Gen<Transforms> transforms();
 
 void showValue(const Place& value, std::ostream& out);
 void showValue(const Heading& value, std::ostream& out);
-void showValue(const Placement& value, std::ostream& out);
-
-// Half an ulp of one, the unit in which the bounds of the properties are stated.
-inline constexpr double unit_roundoff = 0x1p-53;
+void showValue(const Transforms& value, std::ostream& out);
 
 }  // namespace trace::test

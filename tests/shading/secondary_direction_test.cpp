@@ -4,12 +4,13 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "geometry/rounding.hpp"
+
 using namespace trace;
 
 namespace {
 
 using Real = long double;
-const double unit_roundoff = std::ldexp(1.0, -53);
 
 // 1 - eta^2 |d - (n.d) n|^2 of the very numbers given.
 Real true_k(const Vec3& d, const Vec3& n, double eta) {

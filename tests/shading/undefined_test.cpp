@@ -103,7 +103,7 @@ TEST_CASE(
   scene.shadow_may_be_undefined = true;  // as the builder says of such a material
   const SceneTree tree(scene);
   RayCounts counts;
-  const PartialRgb left = shadow_attenuation(scene, tree, {}, Vec3(0), Vec3(0, 0, 1), infinity, counts);
+  const PartialRgb left = shadow_attenuation(scene, tree, {}, {Vec3(0), Vec3(0, 0, 1)}, infinity, counts);
   CHECK(left.undefined == Channels(0));
   CHECK(left.value == near(0, 0.5, 1));
   add(scene, Square{}, at_origin(), emissive(Rgb(0.25)) + diffuse({0, 1, 1}));
