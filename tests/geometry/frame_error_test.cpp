@@ -13,7 +13,7 @@ namespace {
 double off(const Vec3& computed, const std::array<Quad, 3>& truth) {
   Quad most = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Quad d = size_of(truth[i] - computed[static_cast<int>(i)]);
+    const Quad d = magnitude(truth[i] - computed[static_cast<int>(i)]);
     if (d > most) most = d;
   }
   return static_cast<double>(most);
@@ -38,7 +38,7 @@ TEST_CASE("a world point carried into an object is within error() of the truth, 
     double worst = 0, bound = 0;
     for (int j = 0; j < 20; ++j) {
       // Points about the object, and points anywhere.
-      const Vec3 local(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+      const Vec3 local{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
       const Vec3 p = j % 2 == 0 ? Vec3(frame.to_world * Vec4(local, 1)) : random.vector_of_size(-9, 9);
       const Vec3 there = carried(frame, p);
       const double size = largest(p);
@@ -91,9 +91,9 @@ TEST_CASE("a displacement grows by no more than the stretch between the spaces")
   for (int i = 0; i < 2'000; ++i) {
     const Frame frame(random.place(10, 2).placement);
     const double e = random.between(0, 1);
-    const Vec3 d(e, random.between(0, 1) < 0.5 ? e : -e, random.between(0, 1) < 0.5 ? e : -e);
+    const Vec3 d{e, random.between(0, 1) < 0.5 ? e : -e, random.between(0, 1) < 0.5 ? e : -e};
     const auto largest_of = [](const std::array<Quad, 3>& v) {
-      return std::max({size_of(v[0]), size_of(v[1]), size_of(v[2])});
+      return std::max({magnitude(v[0]), magnitude(v[1]), magnitude(v[2])});
     };
     if (!(largest_of(QuadMatrix(frame.to_object).times(d, 0)) <= Quad(frame.to_object_stretch) * e)) ++wrong;
     if (!(largest_of(QuadMatrix(frame.to_world).times(d, 0)) <= Quad(frame.to_world_stretch) * e)) ++wrong;

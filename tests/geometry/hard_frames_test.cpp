@@ -16,9 +16,9 @@ Frame scaled(const Vec3& factors) {
 // n_i / s_i, of unit length: what the inverse transpose of a scale makes of a normal.
 Vec3 normal_under_scale(const Vec3& n, const Vec3& s) {
   const Quad x = Quad(n.x) / s.x, y = Quad(n.y) / s.y, z = Quad(n.z) / s.z;
-  Quad most = std::max({size_of(x), size_of(y), size_of(z)});
+  Quad most = std::max({magnitude(x), magnitude(y), magnitude(z)});
   const Quad a = x / most, b = y / most, c = z / most;
-  const Quad length = square_root(a * a + b * b + c * c);
+  const Quad length = root(a * a + b * b + c * c);
   return {double(a / length), double(b / length), double(c / length)};
 }
 

@@ -22,7 +22,7 @@ bool holds(const BoundedMatrix& claimed, const QuadMatrix& truth) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 4; ++row) {
       const Quad exact = truth.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-      if (!(size_of(exact - claimed.value[column][row]) <= claimed.error[column][row])) return false;
+      if (!(magnitude(exact - claimed.value[column][row]) <= claimed.error[column][row])) return false;
     }
   }
   return true;

@@ -13,16 +13,10 @@ struct FaceHit {
   double t;
 };
 
-inline Corners corners(const Mesh& mesh, std::uint32_t face) {
-  const FaceCorners& f = mesh.faces[face];
-  return {mesh.points[f[0]], mesh.points[f[1]], mesh.points[f[2]]};
-}
-
 // The triangle predicate on one face: exact, but for faces that the fast form certainly misses.
 inline bool meets(const Mesh& mesh, std::uint32_t face, const Ray& ray, double& t) {
   TriangleHit hit;
-  const double no_limit = std::numeric_limits<double>::infinity();
-  if (trace::meets(mesh.triangle(face), ray, no_limit, hit) == Meeting::none) return false;
+  if (trace::meets(mesh.triangle(face), ray, hit) == Meeting::none) return false;
   if (!crosses_exactly(mesh.corners(face), ray, hit)) return false;
   t = hit.t;
   return true;

@@ -25,7 +25,7 @@ Crossings::Count Crossings::count(const Ray& ray, std::span<const FaceHit> accep
     const std::uint32_t face = open.back();
     open.pop_back();
     const FaceCorners& f = mesh_.faces[face];
-    const EdgeSigns signs = edge_signs(ray, corners(mesh_, face));
+    const EdgeSigns signs = edge_signs(ray, mesh_.corners(face));
     if (!signs.inside()) {
       result.sound = false;
       continue;
@@ -45,7 +45,7 @@ Crossings::Count Crossings::count(const Ray& ray, std::span<const FaceHit> accep
     bool mixed = false;
     for (const std::uint32_t other : faces_at_[shared[0]]) {
       if (other == face || (shared.size() == 2 && !has(mesh_.faces[other], shared[1]))) continue;
-      const EdgeSigns there = edge_signs(ray, corners(mesh_, other));
+      const EdgeSigns there = edge_signs(ray, mesh_.corners(other));
       const auto at = std::find(open.begin(), open.end(), other);
       if (there.inside() != (at != open.end())) result.sound = false;
       if (at != open.end()) open.erase(at);

@@ -17,7 +17,7 @@ bool by_trace(const Mesh& mesh, const Ray& ray) {
 
 bool by_textbook(const Mesh& mesh, const Ray& ray) {
   double t = 0;
-  return textbook_meets(corners(mesh, 0), ray, t);
+  return textbook_meets(mesh.corners(0), ray, t);
 }
 
 // The plain edge functions of Woop, Benthin and Wald (2013), seen along the ray, in float and without their

@@ -6,14 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "tests/support/quad.hpp"
+
 namespace trace::hard {
+
+using test::magnitude;
+using test::Quad;
+
 namespace {
-
-__extension__ using Quad = __float128;
-
-Quad magnitude(Quad x) {
-  return x < 0 ? -x : x;
-}
 
 // Coordinates as integers: each the number times the same power of two.
 using Integers = std::array<mpz_class, 3>;

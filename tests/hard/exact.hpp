@@ -5,14 +5,9 @@
 // library, which do not round.
 #pragma once
 
-#include "geometry/ray.hpp"
+#include "geometry/triangle.hpp"
 
 namespace trace::hard {
-
-// Corners, in the order of the face.
-struct Corners {
-  Vec3 a, b, c;
-};
 
 // The sign (-1, 0, 1) of direction . ((p - origin) x (q - origin)): on which side of the line through p and q
 // the ray passes.

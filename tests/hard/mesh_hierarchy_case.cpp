@@ -56,7 +56,7 @@ Ray draw_ray(Random& random, const Mesh& mesh, int kind) {
     while (step == Vec3(0)) step = random.on_grid(1, random.below(2) == 0 ? 1 : -1);
     return {origin, glm::normalize(step)};
   }
-  const Corners c = corners(mesh, random.below(static_cast<std::uint32_t>(mesh.faces.size())));
+  const Corners c = mesh.corners(random.below(static_cast<std::uint32_t>(mesh.faces.size())));
   const double u = random.below(3) == 0 ? 0 : fraction(random),
                v = random.below(3) == 0 ? 0 : fraction(random);
   const Vec3 target = c.a + u * (c.b - c.a) + v * (1 - u) * (c.c - c.a);

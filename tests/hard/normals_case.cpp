@@ -3,8 +3,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "geometry/frame.hpp"
+#include "tests/hard/aimed_rays.hpp"
 #include "tests/hard/batches.hpp"
-#include "tests/hard/quad_matrix.hpp"
+#include "tests/hard/quad_linear.hpp"
 #include "tests/hard/space_cases.hpp"
 
 namespace trace::hard {
@@ -29,7 +30,7 @@ constexpr double allowed = 64 * 0x1p-53;
 // How far a normal is from the true one, which stands across the transformed tangents, on its own side. Of a
 // flattened object both sides are its own.
 double off(const Mat4& place, const Vec3& local, const Vec3& normal) {
-  const QuadMat linear(place);
+  const QuadLinear linear(place);
   // Cofactors are squares of scales, and their squares beyond what the double within root() holds.
   const QuadVec n = linear.cofactors() * QuadVec(local);
   const Quad largest = std::max({magnitude(n.x), magnitude(n.y), magnitude(n.z)});
@@ -56,9 +57,7 @@ std::vector<Row> run(std::uint64_t normals) {
         [&](Random& random, std::uint64_t count, std::vector<Row>& out) {
           Digest digest;
           for (std::uint64_t i = 0; i < count; ++i) {
-            const Mat4 place =
-                glm::scale(glm::rotate(Mat4(1), random.between(0, 6), random.in_cube(1) + Vec3(0, 0, 1.5)),
-                           workload.scale);
+            const Mat4 place = glm::scale(random_turn(random), workload.scale);
             const Vec3 local = glm::normalize(random.in_cube(1) + Vec3(1.5, 0, 0.1));
             const Vec3 normal = Frame(place).world_normal(local);
             for (int axis = 0; axis < 3; ++axis) digest.add(normal[axis]);

@@ -1,28 +1,16 @@
-// Truth in 113 binary digits: numbers, vectors and rays in __float128.
+// Truth in 113 binary digits: vectors and rays in __float128.
 //
-// Doubles are exact in it, a product of two is, and sums of products of coordinates up to 1e8 keep 17 digits
-// behind what doubles have at all.
+// Sums of products of coordinates up to 1e8 keep 17 digits behind what doubles have at all.
 #pragma once
 
 #include "geometry/ray.hpp"
+#include "tests/support/quad.hpp"
 
 namespace trace::hard {
 
-__extension__ typedef __float128 Quad;
-
-inline Quad magnitude(Quad x) {
-  return x < 0 ? -x : x;
-}
-
-// Newton's step from the root in double doubles its 53 digits; a second one clears what is left. For x that
-// a double can hold; NaN for NaN and for what is negative.
-inline Quad root(Quad x) {
-  const double guess = std::sqrt(static_cast<double>(x));
-  if (guess == 0) return 0;
-  Quad r = guess;
-  for (int step = 0; step < 2; ++step) r = (r + x / r) / 2;
-  return r;
-}
+using test::magnitude;
+using test::Quad;
+using test::root;
 
 struct QuadVec {
   Quad x, y, z;

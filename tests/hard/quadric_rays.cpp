@@ -1,5 +1,7 @@
 #include "tests/hard/quadric_rays.hpp"
 
+#include "tests/hard/aimed_rays.hpp"
+
 namespace trace::hard {
 namespace {
 
@@ -11,13 +13,9 @@ double small(Random& random, int digits) {
   return random.below(2) == 0 ? size : -size;
 }
 
-Vec3 unit_vector(Random& random) {
-  Vec3 v(0);
-  while (!(glm::dot(v, v) > 0.01)) v = random.in_cube(1);
-  return glm::normalize(v);
-}
-
-Ray towards(const Vec3& target, const Vec3& origin) {
+// At `target`, from `distance` away in any direction.
+Ray towards(Random& random, const Vec3& target, double distance) {
+  const Vec3 origin = target + distance * unit_vector(random);
   return {origin, glm::normalize(target - origin)};
 }
 
@@ -75,18 +73,21 @@ Ray tangent(Random& random, const RoundShape& shape) {
 }
 
 Ray at_rim(Random& random, const RoundShape& shape) {
-  const Vec3 target = shape.on_side(random.between(0, turn), random.below(2) == 0 ? 0 : shape.height);
-  return towards(target, target + random.between(0.5, 20) * unit_vector(random));
+  const double angle = random.between(0, turn), z = random.below(2) == 0 ? 0 : shape.height;
+  const double distance = random.between(0.5, 20);
+  return towards(random, shape.on_side(angle, z), distance);
 }
 
 Ray at_apex(Random& random, const RoundShape& shape) {
   const Vec3 target(0, 0, shape.height * shape.bottom / (shape.bottom - shape.top));
-  return towards(target, target + random.between(0.5, 20) * unit_vector(random));
+  const double distance = random.between(0.5, 20);
+  return towards(random, target, distance);
 }
 
 Ray from_afar(Random& random, const RoundShape& shape) {
   const Vec3 target = 1.5 * random.in_cube(std::max(widest(shape), shape.height));
-  return towards(target, target + std::pow(10.0, random.between(0, 8)) * unit_vector(random));
+  const double distance = std::pow(10.0, random.between(0, 8));
+  return towards(random, target, distance);
 }
 
 }  // namespace trace::hard

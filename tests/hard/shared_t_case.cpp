@@ -2,9 +2,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "acceleration/scene_tree.hpp"
+#include "tests/hard/aimed_rays.hpp"
 #include "tests/hard/batches.hpp"
 #include "tests/hard/nearby_rays.hpp"
-#include "tests/hard/quad_matrix.hpp"
+#include "tests/hard/quad_linear.hpp"
 #include "tests/hard/space_cases.hpp"
 #include "tests/support/scene_make.hpp"
 
@@ -15,15 +16,14 @@ namespace {
 Mat4 random_place(Random& random) {
   Vec3 scale;
   for (int axis = 0; axis < 3; ++axis) scale[axis] = std::pow(10.0, random.between(-2, 2));
-  return glm::scale(glm::rotate(glm::translate(Mat4(1), random.in_cube(10)), random.between(0, 6),
-                                random.in_cube(1) + Vec3(0, 0, 1.5)),
-                    scale);
+  const Vec3 offset = random.in_cube(10);
+  return glm::scale(glm::translate(Mat4(1), offset) * random_turn(random), scale);
 }
 
 // The sphere in the space that `place` makes, met by the ray as it is there: t is not touched by the way
 // into the space, for the direction is not made a unit vector.
 TrueHit true_placed_sphere(const QuadRay& world, const Mat4& place) {
-  const QuadMat linear(place);
+  const QuadLinear linear(place);
   const QuadVec o = linear.solve(world.origin - QuadVec(Vec3(place[3]))), d = linear.solve(world.direction);
   const Quad dd = dot(d, d), to_middle = -dot(o, d) / dd;
   const QuadVec across = o + to_middle * d;

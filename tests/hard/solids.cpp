@@ -36,7 +36,7 @@ Vec3 target_on(Random& random, SolidKind kind) {
       break;
   }
   static const Mesh mesh = icosahedron_mesh();
-  const Corners c = corners(mesh, random.below(20));
+  const Corners c = mesh.corners(random.below(20));
   const double v = at_edge ? 0 : fraction(random);
   const double u = fraction(random) * (1 - v);
   return c.a + u * (c.b - c.a) + v * (c.c - c.a);

@@ -1,6 +1,7 @@
 // Row 6: spheres small in their distance.
 #include "geometry/frame.hpp"
 #include "geometry/sphere.hpp"
+#include "tests/hard/aimed_rays.hpp"
 #include "tests/hard/batches.hpp"
 #include "tests/hard/curved_cases.hpp"
 #include "tests/hard/nearby_rays.hpp"
@@ -27,13 +28,8 @@ TrueHit true_sphere(const QuadRay& ray, const QuadVec& centre, Quad radius) {
 // A distance of a line from the centre, in radii: anywhere up to 2, or grazing within a part in 2^2 ... 2^50.
 double aim(Random& random) {
   if (random.below(2) == 0) return random.between(0, 2);
-  return 1 + random.between(-1, 1) * std::ldexp(1.0, -2 - static_cast<int>(random.below(49)));
-}
-
-Vec3 unit_vector(Random& random) {
-  Vec3 v(0);
-  while (!(glm::dot(v, v) > 0.01)) v = random.in_cube(1);
-  return glm::normalize(v);
+  const double part = random.between(-1, 1);
+  return 1 + std::ldexp(part, -2 - static_cast<int>(random.below(49)));
 }
 
 // From `distance` away, past the centre at aim() radii.

@@ -30,7 +30,7 @@ inline bool textbook_hits(const Scene& scene, const Shape& shape, const Ray& ray
     const Mesh& mesh = scene.meshes[id->index].geometry;
     double t = 0;
     for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-      if (textbook_meets(corners(mesh, face), ray, t) && t > textbook_epsilon) return true;
+      if (textbook_meets(mesh.corners(face), ray, t) && t > textbook_epsilon) return true;
     }
   }
   return false;

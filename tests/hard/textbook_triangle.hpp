@@ -27,7 +27,7 @@ inline void textbook_hits(const Mesh& mesh, const Ray& ray, std::vector<FaceHit>
   hits.clear();
   double t = 0;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    if (textbook_meets(corners(mesh, face), ray, t)) hits.push_back({face, t});
+    if (textbook_meets(mesh.corners(face), ray, t)) hits.push_back({face, t});
   }
 }
 

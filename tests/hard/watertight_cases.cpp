@@ -63,7 +63,7 @@ std::vector<Shell> shells() {
 }
 
 void note_error(Row& row, const Mesh& mesh, const Ray& ray, const FaceHit& hit) {
-  const double t = plane_t(ray, corners(mesh, hit.face));
+  const double t = plane_t(ray, mesh.corners(hit.face));
   row.note_error(std::abs(hit.t - t) / std::abs(t));
 }
 

@@ -15,8 +15,8 @@ Scene busy_scene() {
   Random random(5);
   Scene scene = random_scene(random, 30);
   for (MappedMaterial& m : scene.materials) {
-    m.values =
-        emissive(Rgb(random.between(0, 0.3))) + diffuse(Rgb(random.between(0, 1))) + reflective(Rgb(0.2));
+    const double glow = random.between(0, 0.3), matte = random.between(0, 1);
+    m.values = emissive(Rgb(glow)) + diffuse(Rgb(matte)) + reflective(Rgb(0.2));
   }
   scene.lights = {directional({-1, -1, -2}), PointLight{Rgb(3), Vec3(2, 5, 9)}};
   scene.camera.eye = {0, 0, 14};

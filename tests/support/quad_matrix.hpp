@@ -4,21 +4,9 @@
 #include <array>
 
 #include "geometry/vector.hpp"
+#include "tests/support/quad.hpp"
 
 namespace trace::test {
-
-__extension__ typedef __float128 Quad;
-
-inline Quad size_of(Quad x) {
-  return x < 0 ? -x : x;
-}
-
-// Newton's method from the double.
-inline Quad square_root(Quad x) {
-  Quad root = std::sqrt(static_cast<double>(x));
-  for (int i = 0; i < 4; ++i) root = (root + x / root) / 2;
-  return root;
-}
 
 // By their series; the angle within 10, so that cancellation costs no more than 5 of the 34 digits.
 inline void sine_and_cosine(double angle, Quad& sine, Quad& cosine) {
@@ -87,7 +75,7 @@ struct QuadTransform {
 
   static QuadTransform rotation(const Vec3& axis, double angle) {
     const std::array<Quad, 3> v{axis.x, axis.y, axis.z};
-    const Quad length = square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const Quad length = root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     Quad sine, cosine;
     sine_and_cosine(angle, sine, cosine);
     QuadTransform q;

@@ -18,6 +18,8 @@ Mesh random_mesh(Random& random) {
   return mesh;
 }
 
+// What is drawn first is drawn in a statement, or within braces, of its own: the order of arguments and
+// operands is the compiler's, and the scenes shall not be.
 Mat4 random_place(Random& random, double unit) {
   if (random.below(2) == 0) {
     Mat4 place = glm::translate(Mat4(1), unit * random.on_grid(4, 0.5)) * scaled(unit);
@@ -28,10 +30,12 @@ Mat4 random_place(Random& random, double unit) {
     }
     return place;
   }
-  const Vec3 scale = unit * (Vec3(0.3) + 0.7 * glm::abs(random.in_cube(1)));
-  return glm::translate(Mat4(1), unit * random.in_cube(5)) *
-         glm::rotate(Mat4(1), random.between(0, 6), random.in_cube(1) + Vec3(0, 0, 1.5)) *
-         glm::scale(Mat4(1), random.below(4) == 0 ? -scale : scale);
+  const Vec3 offset = unit * random.in_cube(5);
+  const double angle = random.between(0, 6);
+  const Vec3 axis = random.in_cube(1) + Vec3(0, 0, 1.5);
+  const Vec3 size = unit * (Vec3(0.3) + 0.7 * glm::abs(random.in_cube(1)));
+  const Vec3 factors = random.below(4) == 0 ? -size : size;
+  return glm::translate(Mat4(1), offset) * glm::rotate(Mat4(1), angle, axis) * glm::scale(Mat4(1), factors);
 }
 
 }  // namespace
@@ -78,9 +82,12 @@ Scene random_scene(Random& random, int size, double unit) {
       case 3:
         add(scene, Cylinder{}, place, Material{});
         break;
-      case 4:
-        add(scene, Cone(1, random.between(0, 2), 1, random.below(2) == 0), place, Material{});
+      case 4: {
+        const double top_radius = random.between(0, 2);
+        const bool capped = random.below(2) == 0;
+        add(scene, Cone(1, top_radius, 1, capped), place, Material{});
         break;
+      }
       default: {
         const Mesh mesh = random_mesh(random);
         if (!mesh.faces.empty()) add(scene, mesh, place, Material{});
@@ -99,7 +106,8 @@ Ray random_ray(Random& random, double unit) {
         direction = random.on_grid(1, 1);
         break;  // an axis, or a diagonal of a face or of the cube
       case 1:
-        direction = random.in_cube(1) * random.on_grid(1, 1);
+        direction = random.in_cube(1);
+        direction *= random.on_grid(1, 1);
         break;  // zeros and negative zeros
       default:
         direction = unit * random.in_cube(3) - origin;  // towards the middle
