@@ -112,7 +112,7 @@ HardCase mesh_hierarchy_case() {
           "corners beyond the range of floats. Boxes are rounded outward and both ends of a slab are padded "
           "by the bound "
           "of their error, and of equal hits the first in the file counts.",
-          100'000,
+          20'000,
           10'000'000,
           run};
 }

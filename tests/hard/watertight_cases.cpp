@@ -140,7 +140,7 @@ HardCase watertight_case() {
           "to a miss; random rays never find such cracks. Where an edge value is within its error bound of "
           "zero its sign "
           "is decided exactly, the same for both triangles, so that the ray crosses exactly once.",
-          40'000,
+          10'000,
           16'000'000,
           run};
 }
