@@ -24,7 +24,10 @@ class MeshTree {
  private:
   // The triangle at `place` in the order of the leaves. Never `unsure`.
   Meeting meet(std::uint32_t place, const Ray& ray, double reach, double limit, TriangleHit& hit) const {
-    const Meeting meeting = meets(triangles_[place], ray, reach, limit, hit);
+    const Triangle& triangle = triangles_[place];
+    // Numbers so large that sums of them could overflow are not bounded for all triangles at once.
+    const double own_reach = reach < 0x1p300 ? reach : sum_of_sizes(ray.origin - triangle.a);
+    const Meeting meeting = meets(triangle, ray, own_reach, limit, hit);
     return meeting == Meeting::unsure ? meets_after_all(mesh_->corners(faces_[place]), ray, hit) : meeting;
   }
 

@@ -72,7 +72,9 @@ inline Meeting meets(const Triangle& triangle, const Ray& ray, double reach, dou
   if (!(t > t_bound + 6 * triangle.size * triangle.size * ray.origin_error)) {
     if (!(ray.origin_error > 0 && t_bound < std::numeric_limits<double>::infinity())) return Meeting::unsure;
     const Vec3 normal = glm::cross(triangle.ab, triangle.ac);
-    if (t <= sum_of_sizes(normal) * ray.origin_error + t_bound) return Meeting::none;
+    const double own_reach = sum_of_sizes(from_a) + triangle.size;  // so that `reach` does not decide
+    const double own_bound = 64 * unit_roundoff * triangle.size * own_reach * triangle.size;
+    if (t <= sum_of_sizes(normal) * ray.origin_error + own_bound) return Meeting::none;
   }
   const double inverse = 1.0 / determinant;
   hit = {t_dot * inverse, u_dot * inverse, v_dot * inverse};
@@ -85,8 +87,10 @@ inline Meeting meets(const Triangle& triangle, const Ray& ray, double reach, dou
   return hit.t > ray.least_t ? Meeting::hit : Meeting::none;
 }
 
-inline Meeting meets(const Triangle& triangle, const Ray& ray, double limit, TriangleHit& hit) {
-  return meets(triangle, ray, sum_of_sizes(ray.origin - triangle.a), limit, hit);
+// Of one triangle alone.
+inline Meeting meets(const Triangle& triangle, const Ray& ray, TriangleHit& hit) {
+  const double reach = sum_of_sizes(ray.origin - triangle.a);
+  return meets(triangle, ray, reach, std::numeric_limits<double>::infinity(), hit);
 }
 
 // The same by exact arithmetic on the ray and the corners as they are given: edges included, so that a ray

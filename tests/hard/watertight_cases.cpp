@@ -141,7 +141,7 @@ HardCase watertight_case() {
           "zero its sign "
           "is decided exactly, the same for both triangles, so that the ray crosses exactly once.",
           10'000,
-          16'000'000,
+          10'240'000,
           run};
 }
 

@@ -28,8 +28,7 @@ bool meets(const Points& points, std::uint32_t first, bool reversed, const Ray& 
   const std::uint32_t next = (first + 1) % 3, last = (first + 2) % 3;
   const Corners corners{points.at[first], points.at[reversed ? last : next],
                         points.at[reversed ? next : last]};
-  if (trace::meets(Triangle(corners), ray, std::numeric_limits<double>::infinity(), hit) == Meeting::none)
-    return false;
+  if (trace::meets(Triangle(corners), ray, hit) == Meeting::none) return false;
   return crosses_exactly(corners, ray, hit);
 }
 

@@ -47,7 +47,7 @@ bool nearest_face(const Mesh& mesh, const Ray& ray, bool cull, LocalHit& hit) {
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     const Triangle triangle = mesh.triangle(face);
     TriangleHit candidate;
-    Meeting meeting = meets(triangle, ray, infinity, candidate);
+    Meeting meeting = meets(triangle, ray, candidate);
     if (meeting == Meeting::unsure) meeting = meets_after_all(mesh.corners(face), ray, candidate);
     if (meeting == Meeting::none) continue;
     const bool from_behind = glm::dot(face_normal(triangle), ray.direction) > 0;
