@@ -13,8 +13,8 @@ double Mesh::distance(std::uint32_t face, const Vec3& p) const {
   const Corners at = corners(face);
   const Vec3 ab = at.b - at.a, ac = at.c - at.a, from_a = p - at.a;
   const Vec3 normal = glm::cross(ab, ac);
-  // Edges, their products, the way from a, the sum and the length of a normal that may be much shorter than the
-  // products of which it is the difference: less than 32 roundings, of products no larger than these.
+  // Edges, their products, the way from a, the sum and the length of a normal that may be much shorter than
+  // the products of which it is the difference: less than 32 roundings, of products no larger than these.
   const double error = gamma(16) * 2 * largest(ab) * largest(ac) * sum_of_sizes(from_a);
   return (std::abs(glm::dot(from_a, normal)) + error) / glm::length(normal);
 }
