@@ -36,7 +36,7 @@ TEST_CASE("nothing is zero, and so is what cancels") {
   CHECK(Expansion(0.0).sign() == 0);
   CHECK(Expansion(-0.0).sign() == 0);
   CHECK(Expansion().estimate() == 0);
-  CHECK(Expansion::difference(0.1, 0.1).sign() == 0);
+  CHECK((Expansion(0.1) - Expansion(0.1)).sign() == 0);
   const Expansion third(1.0 / 3), tenth(0.1);
   CHECK((third * tenth - tenth * third).sign() == 0);
   CHECK((third * Expansion()).sign() == 0);
@@ -45,7 +45,7 @@ TEST_CASE("nothing is zero, and so is what cancels") {
 }
 
 TEST_CASE("a difference keeps what rounding would lose") {
-  const Expansion big = Expansion::difference(1e30, 1e-30);
+  const Expansion big = (Expansion(1e30) - Expansion(1e-30));
   CHECK(big.estimate() == 1e30);
   CHECK((big - 1e30).sign() == -1);
   CHECK((big - 1e30).estimate() == -1e-30);
@@ -104,7 +104,7 @@ TEST_CASE("the sign of a volume of three edges is that of integers, zero include
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t k = 0; k < 3; ++k) {
         q[j][k] = Quad(p[j + 1][k]) - p[0][k];
-        x[j][k] = Expansion::difference(p[j + 1][k], p[0][k]);
+        x[j][k] = (Expansion(p[j + 1][k]) - Expansion(p[0][k]));
       }
     }
     const auto volume = [](const auto& e) {
