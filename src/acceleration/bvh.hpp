@@ -17,6 +17,8 @@
 
 namespace trace {
 
+inline constexpr std::size_t bvh_width = 4;
+
 struct alignas(64) BvhNode {
   float low[3][4], high[3][4];  // axis, child; low > high where there is no child
   std::uint32_t child[4];       // index of a node, or of the first item of a leaf

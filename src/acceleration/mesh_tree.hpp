@@ -21,6 +21,14 @@ class MeshTree {
   // Whether any face is hit at t / scale < limit, seen from either side; `limit` is a distance in the world.
   bool occludes(const Ray& ray, double scale, double limit) const;
 
+  // For packets (acceleration/packet): the triangle at a place in the order of the leaves and its face.
+  const Bvh& bvh() const { return bvh_; }
+  const Triangle& triangle(std::uint32_t place) const { return triangles_[place]; }
+  std::uint32_t face(std::uint32_t place) const { return faces_[place]; }
+  // The way from a point to any corner, as a sum of sizes, is at most that to the centre and the radius.
+  const Vec3& centre() const { return centre_; }
+  double radius() const { return radius_; }
+
  private:
   // The triangle at `place` in the order of the leaves. Never `unsure`.
   Meeting meet(std::uint32_t place, const Ray& ray, double reach, double limit, TriangleHit& hit) const {

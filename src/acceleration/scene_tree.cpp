@@ -50,10 +50,6 @@ void SceneTree::visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const {
   }
 }
 
-std::uint32_t SceneTree::object_at(std::uint32_t place) const {
-  return bvh_.nodes.empty() ? place : bvh_.order[place];
-}
-
 Hit SceneTree::closest(const Ray& ray, bool cull) const {
   Hit best;
   std::optional<Hit> gap;

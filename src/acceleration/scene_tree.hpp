@@ -29,12 +29,17 @@ class SceneTree {
   // Whether anything is hit nearer than `limit`; no culling.
   bool occluded(const Ray& ray, double limit) const;
 
+  // For packets (acceleration/packet): a handful of objects is a list without a hierarchy.
+  bool is_list() const { return bvh_.nodes.empty(); }
+  const Bvh& bvh() const { return bvh_; }
+  // The object at a place in the order of the leaves, or of the list.
+  std::uint32_t object_at(std::uint32_t place) const { return is_list() ? place : bvh_.order[place]; }
+  const MeshTree& mesh(MeshId id) const { return meshes_[id.index]; }
+
  private:
-  // Calls leaf(first, count, limit) as traverse() does; `first` counts in the order that object_at()
-  // resolves.
+  // Calls leaf(first, count, limit) as traverse() does; `first` counts places of object_at().
   template <class Leaf>
   void visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const;
-  std::uint32_t object_at(std::uint32_t place) const;
 
   const Scene& scene_;
   Bvh bvh_;                       // empty for a handful of objects, which are all tested

@@ -8,6 +8,12 @@
 
 namespace trace {
 
+// A bound that grows with the largest coordinate of a point.
+struct LinearBound {
+  double slope = 0, constant = 0;
+  double at(double largest) const { return slope * largest + constant; }
+};
+
 // Built once for each place in the scene graph and shared by the objects there.
 struct Frame {
   Mat4 to_world;
@@ -34,23 +40,20 @@ struct Frame {
   // How far to_object * (p, 1), as GLM computes it, can be from p in the space of the exact placement (the
   // product of the exact transforms), in each coordinate, for p with coordinates of at most `largest`.
   double error(double largest) const { return error_.at(largest); }
+  const LinearBound& error_bound() const { return error_; }
   // The part of it that differs from point to point: of rounding, against to_object itself.
   double rounding(double largest) const { return rounding_.at(largest); }
   // How far to_object * (o + d, 1) - to_object * (o, 1) can be from to_object * (d, 0), in each coordinate,
   // for a d of unit length and o with coordinates of at most `largest`.
   double difference_error(double largest) const { return difference_.at(largest); }
+  const LinearBound& difference_bound() const { return difference_; }
 
   Vec3 world_normal(const Vec3& n) const { return unit_vector(normal_to_world * n).direction; }
 
  private:
-  struct Linear {
-    double slope = 0, constant = 0;
-    double at(double largest) const { return slope * largest + constant; }
-  };
-
   void bound_errors(const Mat4& matrix_error);
 
-  Linear error_, rounding_, difference_;
+  LinearBound error_, rounding_, difference_;
   bool invertible_ = true;
 };
 

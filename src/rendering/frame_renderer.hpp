@@ -11,6 +11,7 @@
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
 #include "scene/camera.hpp"
+#include "shading/packet_tracer.hpp"
 
 namespace trace {
 
@@ -33,6 +34,7 @@ class FrameRenderer {
     Sampler(const FrameRenderer& frame, RayCounts& counts)
         : caster_(frame.caster_),
           tracer_(frame.scene_, frame.tree_, frame.options_.shading, counts),
+          packets_(frame.scene_, frame.tree_, frame.options_.shading, frame.options_.instruction_set, counts),
           depth_(frame.options_.depth),
           width_(frame.options_.width),
           height_(frame.height_) {}
@@ -49,9 +51,13 @@ class FrameRenderer {
       return tracer_.trace(caster_.cast(column, row), depth_);
     }
 
+    // Many at once. Those that it leaves out are to be asked for one by one.
+    void trace(SampleBatch& batch) const { packets_.trace(batch, depth_); }
+
    private:
     RayCaster caster_;
     WhittedTracer tracer_;
+    PacketTracer packets_;
     int depth_, width_, height_;
   };
 

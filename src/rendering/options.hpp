@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/size_limits.hpp"
+#include "instruction_set/instruction_set.hpp"
 #include "shading/options.hpp"
 #include "shading/whitted.hpp"
 
@@ -22,6 +23,7 @@ struct RenderOptions {
   int width = 512;
   int depth = 5;
   int threads = 0;  // 0: as many as the machine has
+  InstructionSet instruction_set = best_instruction_set();
   ShadingOptions shading;
   Antialiasing antialiasing;
   BlockInterpolation blocks;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int tile_edge = 16;
 
+// One ray after the other, for processors without vectors.
 void render_pixels(FrameRenderer& frame, Image& image) {
   frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     std::array<Vec3, tile_edge> columns;
@@ -25,6 +26,44 @@ void render_pixels(FrameRenderer& frame, Image& image) {
         set_pixel(image, i, j, color.value);
       }
     }
+  });
+}
+
+// Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by two.
+template <class Visit>
+void for_each_in_blocks(int x0, int y0, int x1, int y1, Visit&& visit) {
+  for (int top = y0; top < y1; top += 2) {
+    for (int left = x0; left < x1; left += 4) {
+      for (int j = top; j < std::min(top + 2, y1); ++j) {
+        for (int i = left; i < std::min(left + 4, x1); ++i) visit(i, j);
+      }
+    }
+  }
+}
+
+void render_packets(FrameRenderer& frame, Image& image) {
+  static_assert(tile_edge * tile_edge <= SampleBatch::capacity);
+  frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+    SampleBatch batch;
+    std::array<Vec3, tile_edge> columns;
+    for (int i = x0; i < x1; ++i) columns[static_cast<std::size_t>(i - x0)] = sampler.column(i);
+    std::array<Vec3, tile_edge> rows;
+    for (int j = y0; j < y1; ++j) rows[static_cast<std::size_t>(j - y0)] = sampler.row(j);
+    for_each_in_blocks(x0, y0, x1, y1, [&](int i, int j) {
+      batch.add(columns[static_cast<std::size_t>(i - x0)] + rows[static_cast<std::size_t>(j - y0)]);
+    });
+    sampler.trace(batch);
+    std::size_t k = 0;
+    for_each_in_blocks(x0, y0, x1, y1, [&](int i, int j) {
+      if (batch.left_out[k]) {
+        const PartialRgb color = sampler.pixel(i, j);
+        frame.non_finite().watch(i, j, color);
+        set_pixel(image, i, j, color.value);
+      } else {
+        set_pixel(image, i, j, batch.color(k));
+      }
+      ++k;
+    });
   });
 }
 
@@ -49,8 +88,10 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   FrameRenderer frame(scene, tree, options, height, std::max(threads, 1), progress);
   if (options.blocks.threshold > 0) {
     render_blocks(frame, result.image);
-  } else {
+  } else if (options.instruction_set == InstructionSet::baseline) {
     render_pixels(frame, result.image);
+  } else {
+    render_packets(frame, result.image);
   }
   if (refine) antialias(frame, result.image);
   result.rays = frame.counts();

@@ -38,6 +38,13 @@ struct Object {
 struct SceneMesh {
   Mesh geometry;
   std::vector<Material> materials;
+
+  // Mixed from those of a face's corners; `weights` are of the second and third.
+  Material material_at(std::uint32_t face, const Vec2& weights) const {
+    const FaceCorners& f = geometry.faces[face];
+    const double u = weights.x, v = weights.y;
+    return mix(materials[f[0]], materials[f[1]], materials[f[2]], 1.0 - u - v, u, v);
+  }
 };
 
 // Objects are in file order: of two hits at the same t the earlier object's counts.

@@ -8,15 +8,6 @@
 namespace trace {
 namespace {
 
-Material mixed(const SceneMesh& mesh, const LocalHit& hit) {
-  const FaceCorners& face = mesh.geometry.faces[hit.part];
-  const double u = hit.uv.x, v = hit.uv.y;
-  return mix(mesh.materials[face[0]], mesh.materials[face[1]], mesh.materials[face[2]], 1.0 - u - v, u, v);
-}
-
-// Cosines smaller than this say only that a ray runs in a surface.
-constexpr double least_cosine = 0x1p-36;
-
 // Bound on the distance of a hit's point from the surface that was hit, as a displacement in each coordinate
 // of the world. It is measured rather than derived from how the point came about: carry the point into the
 // space of the object, which is off by a known bound, and see how far from the surface it is there.
@@ -51,7 +42,7 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
     normal =
         smooth && mesh.geometry.smooth() ? mesh.geometry.smooth_normal(hit.local.part, hit.local.uv) : facing;
     if (!mesh.materials.empty()) {
-      own_ = mixed(mesh, hit.local);
+      own_ = mesh.material_at(hit.local.part, hit.local.uv);
       material_ = &own_;
     }
   } else if (std::holds_alternative<Cone>(object.shape)) {

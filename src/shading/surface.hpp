@@ -5,6 +5,9 @@
 
 namespace trace {
 
+// Cosines smaller than this say only that a ray runs in a surface.
+inline constexpr double least_cosine = 0x1p-36;
+
 class Surface {
  public:
   // `smooth`: use the vertex normals of meshes that have them.

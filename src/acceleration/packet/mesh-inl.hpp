@@ -1,0 +1,192 @@
+// A packet of rays through a mesh: MeshTree::closest and occludes for packets.
+#if defined(TRACE_ACCELERATION_PACKET_MESH_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRACE_ACCELERATION_PACKET_MESH_INL_HPP
+#undef TRACE_ACCELERATION_PACKET_MESH_INL_HPP
+#else
+#define TRACE_ACCELERATION_PACKET_MESH_INL_HPP
+#endif
+
+#include "acceleration/mesh_tree.hpp"
+#include "acceleration/packet/traverse-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+
+struct TriangleHits {
+  Numbers t, u, v;
+};
+
+// meets() of geometry/triangle.hpp: the lanes that hit. `unsure` gets those that meets_after_all() must
+// decide. `reach` and `limit` may be larger than a lane's own, which changes no result.
+HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& active, double reach,
+                     const Numbers& limit, TriangleHits& hits, Mask& unsure) {
+  const Vectors ab(triangle.ab), ac(triangle.ac);
+  const Vectors p = cross(rays.direction, ac);
+  const Numbers determinant = dot(ab, p);
+  const Vectors from_a = rays.origin - Vectors(triangle.a);
+  const Numbers bound = 64 * unit_roundoff * triangle.size * (reach + triangle.size);
+
+  const Mask turned = determinant < 0.0;
+  const Numbers whole = select(turned, -determinant, determinant);
+  const Numbers u_dot = dot(from_a, p);
+  const Numbers u = select(turned, -u_dot, u_dot);
+  const Vectors q = cross(from_a, ab);
+  const Numbers v_dot = dot(rays.direction, q);
+  const Numbers v = select(turned, -v_dot, v_dot);
+  const Numbers t_dot = dot(ac, q);
+  const Numbers t = select(turned, -t_dot, t_dot);
+  const Numbers t_bound = bound * triangle.size;
+  Mask left = without(
+      active, (u < -bound) | (u > whole + bound) | (v < -bound) | (u + v > whole + bound) | (t < -t_bound));
+  unsure = no_lanes();
+  if (none(left)) return left;
+  const Numbers square = 6 * triangle.size * triangle.size;
+  if (const Mask low = without(left, t > t_bound + square * rays.origin_error); any(low)) {
+    unsure = without(low, (rays.origin_error > 0.0) & (t_bound < std::numeric_limits<double>::infinity()));
+    const Vec3 normal = glm::cross(triangle.ab, triangle.ac);
+    const Numbers own_reach = sum_of_sizes(from_a) + triangle.size;
+    const Numbers own_bound = 64 * unit_roundoff * triangle.size * own_reach * triangle.size;
+    const Mask in_plane = t <= sum_of_sizes(normal) * rays.origin_error + own_bound;
+    left = without(left, unsure | (low & in_plane));
+  }
+  const Numbers inverse = 1.0 / determinant;
+  hits = {t_dot * inverse, u_dot * inverse, v_dot * inverse};
+  const Mask thin = without(left, whole > least_determinant(triangle));
+  unsure |= thin;
+  left = without(left, thin | (hits.t > limit + 0x1p-20 * (limit + Numbers(reach))));
+  const Mask certain = (u > bound) & (v > bound) & (u + v < whole - bound);
+  const Mask by_course = (hits.u >= 0.0) & (hits.u <= 1.0) & (hits.v >= 0.0) & (hits.u + hits.v <= 1.0);
+  const Mask open = without(left, certain | by_course);
+  unsure |= open;
+  return without(left, open) & (hits.t > rays.least_t);
+}
+
+// Of the lanes, the furthest way from an origin to a corner of the mesh.
+HWY_INLINE double reach_of(const MeshTree& mesh, const Rays& rays, const Mask& active) {
+  return largest_lane(active, sum_of_sizes(rays.origin - Vectors(mesh.centre())), 0.0) + mesh.radius();
+}
+
+class ClosestFaces {
+ public:
+  HWY_INLINE ClosestFaces(const MeshTree& mesh, const Rays& rays, const Mask& active, const Numbers& limit,
+                          bool cull)
+      : mesh_(mesh),
+        rays_(rays),
+        cull_(cull),
+        reach_(reach_of(mesh, rays, active)),
+        limit_(limit),
+        going_(active),
+        unusual(no_lanes()) {
+    best.t = std::numeric_limits<double>::infinity();
+    best.u = best.v = 0.0;
+    face = 0.0;
+  }
+
+  HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
+    Mask changed = no_lanes();
+    const Mask asked = mask_of(touching);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Triangle triangle = mesh_.triangle(i);
+      TriangleHits candidate;
+      Mask unsure;
+      Mask nearer = meet(triangle, rays_, asked, reach_, best.t, candidate, unsure);
+      if (any(unsure)) {
+        unusual |= unsure;
+        going_ = without(going_, unsure);
+        changed |= unsure;
+      }
+      const Numbers number = mesh_.face(i);
+      nearer &= (candidate.t < best.t) | ((candidate.t == best.t) & (number < face));
+      if (none(nearer)) continue;
+      if (cull_) {
+        nearer = without(nearer, dot(Vectors(face_normal(triangle)), rays_.direction) > 0.0);
+      }
+      best = {select(nearer, candidate.t, best.t), select(nearer, candidate.u, best.u),
+              select(nearer, candidate.v, best.v)};
+      face = select(nearer, number, face);
+      changed |= nearer;
+    }
+    return any(changed);
+  }
+  HWY_INLINE Numbers limits() const { return lesser_of(best.t, limit_); }
+  HWY_INLINE unsigned going() const { return bits_of(going_); }
+
+ private:
+  const MeshTree& mesh_;
+  const Rays& rays_;
+  bool cull_;
+  double reach_;
+  Numbers limit_;
+  Mask going_;
+
+ public:
+  TriangleHits best;
+  Numbers face;
+  Mask unusual;  // to be asked again, ray by ray
+};
+
+class AnyFaces {
+ public:
+  // `limit` is a distance in the world.
+  HWY_INLINE AnyFaces(const MeshTree& mesh, const Rays& rays, const Mask& active, const Numbers& scale,
+                      const Numbers& limit)
+      : mesh_(mesh),
+        rays_(rays),
+        reach_(reach_of(mesh, rays, active)),
+        scale_(scale),
+        limit_(limit),
+        furthest_(limit * scale * Numbers(1 + gamma(2))),
+        going_(active),
+        found(no_lanes()),
+        unusual(no_lanes()) {}
+
+  HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
+    const Mask before = going_;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Mask asked = mask_of(touching) & going_;
+      TriangleHits candidate;
+      Mask unsure;
+      const Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, candidate, unsure);
+      const Mask hit = met & (candidate.t / scale_ < limit_);
+      found |= hit;
+      unusual |= unsure;
+      going_ = without(going_, hit | unsure);
+    }
+    return any(without(before, going_));
+  }
+  HWY_INLINE Numbers limits() const { return limit_ * scale_; }
+  HWY_INLINE unsigned going() const { return bits_of(going_); }
+
+ private:
+  const MeshTree& mesh_;
+  const Rays& rays_;
+  double reach_;
+  Numbers scale_, limit_, furthest_;
+  Mask going_;
+
+ public:
+  Mask found;
+  Mask unusual;
+};
+
+HWY_NOINLINE Mask intersect_mesh(const MeshTree& mesh, const Rays& rays, const Mask& active,
+                                 const Numbers& limit, bool cull, LocalHits& hits, Mask& unusual) {
+  ClosestFaces leaf(mesh, rays, active, limit, cull);
+  traverse(mesh.bvh(), rays, active, leaf);
+  unusual |= leaf.unusual;
+  hits = {leaf.best.t, Vectors(0.0, 0.0, 1.0), leaf.best.u, leaf.best.v, leaf.face};
+  return without(active, leaf.unusual) & (leaf.best.t < std::numeric_limits<double>::infinity());
+}
+
+HWY_NOINLINE Mask occluded_by_mesh(const MeshTree& mesh, const Rays& rays, const Mask& active,
+                                   const Numbers& scale, const Numbers& limit, Mask& unusual) {
+  AnyFaces leaf(mesh, rays, active, scale, limit);
+  traverse(mesh.bvh(), rays, active, leaf);
+  unusual |= leaf.unusual;
+  return leaf.found;
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

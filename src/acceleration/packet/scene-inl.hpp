@@ -1,0 +1,242 @@
+// A packet of rays through the scene: SceneTree::closest and occluded for packets, with the same results.
+//
+// Lanes for which something is unusual (a triangle that only exact arithmetic decides, a gap, coordinates at
+// the end of the range of numbers) are asked of SceneTree one by one.
+#if defined(TRACE_ACCELERATION_PACKET_SCENE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRACE_ACCELERATION_PACKET_SCENE_INL_HPP
+#undef TRACE_ACCELERATION_PACKET_SCENE_INL_HPP
+#else
+#define TRACE_ACCELERATION_PACKET_SCENE_INL_HPP
+#endif
+
+#include "acceleration/packet/mesh-inl.hpp"
+#include "acceleration/scene_tree.hpp"
+#include "geometry/packet/frame-inl.hpp"
+#include "geometry/packet/shapes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+
+// t is infinite where there is no hit.
+struct Hits {
+  Numbers t;
+  Numbers object;  // index into Scene::objects
+  LocalHits local;
+};
+
+// The rays of a packet in the space of one object after another.
+class FramePackets {
+ public:
+  HWY_INLINE FramePackets(const Scene& scene, const Rays& rays) : scene_(scene), world_(rays) {}
+
+  HWY_INLINE const ObjectRays& in(std::uint32_t frame) {
+    if (!known_ || frame_ != frame) {
+      rays_ = ObjectRays(scene_.frames[frame], world_);
+      frame_ = frame;
+      known_ = true;
+    }
+    return rays_;
+  }
+
+ private:
+  const Scene& scene_;
+  const Rays& world_;
+  ObjectRays rays_;
+  std::uint32_t frame_ = 0;
+  bool known_ = false;
+};
+
+class ClosestObjects {
+ public:
+  HWY_INLINE ClosestObjects(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
+                            bool cull)
+      : scene_(scene), tree_(tree), rays_(rays), frames_(scene, rays), cull_(cull), going_(active) {
+    best.t = std::numeric_limits<double>::infinity();
+    best.object = 0.0;
+    best.local = {0.0, Vectors(0.0, 0.0, 1.0), 0.0, 0.0, 0.0};
+    unusual = no_lanes();
+  }
+
+  HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
+    Mask changed = no_lanes();
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::uint32_t id = tree_.object_at(i);
+      const Object& object = scene_.objects[id];
+      const Mask asked = hit_bounds(object.bounds, rays_, mask_of(touching) & going_);
+      if (none(asked)) continue;
+      const ObjectRays& local = frames_.in(object.frame);
+      LocalHits hits;
+      Mask odd = asked & local.unusual;
+      const Mask found = intersect_shape(object.shape, local, without(asked, odd), hits, odd);
+      const Numbers t = hits.t / local.scale;
+      const Numbers number = id;
+      const Mask nearer = without(found, odd) & ((t < best.t) | ((t == best.t) & (number < best.object)));
+      best.t = select(nearer, t, best.t);
+      best.object = select(nearer, number, best.object);
+      best.local = select(nearer, hits, best.local);
+      unusual |= odd;
+      going_ = without(going_, odd);
+      changed |= nearer | odd;
+    }
+    return any(changed);
+  }
+  HWY_INLINE Numbers limits() const { return best.t; }
+  HWY_INLINE unsigned going() const { return bits_of(going_); }
+
+ private:
+  HWY_INLINE Mask intersect_shape(const Shape& shape, const ObjectRays& local, const Mask& asked,
+                                  LocalHits& hits, Mask& odd) {
+    if (const auto* mesh = std::get_if<MeshId>(&shape)) {
+      return intersect_mesh(tree_.mesh(*mesh), local.rays, asked, best.t * local.scale, cull_, hits, odd);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+      return intersect(*sphere, local.rays, asked, hits, odd);
+    }
+    if (const auto* box = std::get_if<Box>(&shape)) return intersect(*box, local.rays, asked, hits, odd);
+    if (const auto* square = std::get_if<Square>(&shape)) {
+      return intersect(*square, local.rays, asked, hits, odd);
+    }
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+      return intersect(*cylinder, local.rays, asked, hits, odd);
+    }
+    return intersect(std::get<Cone>(shape), local.rays, asked, hits, odd);
+  }
+
+  const Scene& scene_;
+  const SceneTree& tree_;
+  const Rays& rays_;
+  FramePackets frames_;
+  bool cull_;
+  Mask going_;
+
+ public:
+  Hits best;
+  Mask unusual;
+};
+
+class AnyObjects {
+ public:
+  HWY_INLINE AnyObjects(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
+                        const Numbers& limit)
+      : scene_(scene),
+        tree_(tree),
+        rays_(rays),
+        frames_(scene, rays),
+        limit_(limit),
+        going_(active),
+        found(no_lanes()),
+        unusual(no_lanes()) {}
+
+  HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
+    const Mask before = going_;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const Object& object = scene_.objects[tree_.object_at(i)];
+      const Mask asked = hit_bounds(object.bounds, rays_, mask_of(touching) & going_);
+      if (none(asked)) continue;
+      const ObjectRays& local = frames_.in(object.frame);
+      Mask odd = asked & local.unusual;
+      const Mask hit = without(occluded_by(object.shape, local, without(asked, odd), odd), odd);
+      found |= hit;
+      unusual |= odd;
+      going_ = without(going_, hit | odd);
+    }
+    return any(without(before, going_));
+  }
+  HWY_INLINE Numbers limits() const { return limit_; }
+  HWY_INLINE unsigned going() const { return bits_of(going_); }
+
+ private:
+  HWY_INLINE Mask occluded_by(const Shape& shape, const ObjectRays& local, const Mask& asked, Mask& odd) {
+    if (const auto* mesh = std::get_if<MeshId>(&shape)) {
+      return occluded_by_mesh(tree_.mesh(*mesh), local.rays, asked, local.scale, limit_, odd);
+    }
+    LocalHits hits;
+    Mask hit;
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+      hit = intersect(*sphere, local.rays, asked, hits, odd);
+    } else if (const auto* box = std::get_if<Box>(&shape)) {
+      hit = intersect(*box, local.rays, asked, hits, odd);
+    } else if (const auto* square = std::get_if<Square>(&shape)) {
+      hit = intersect(*square, local.rays, asked, hits, odd);
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
+      hit = intersect(*cylinder, local.rays, asked, hits, odd);
+    } else {
+      hit = intersect(std::get<Cone>(shape), local.rays, asked, hits, odd);
+    }
+    return hit & (hits.t / local.scale < limit_);
+  }
+
+  const Scene& scene_;
+  const SceneTree& tree_;
+  const Rays& rays_;
+  FramePackets frames_;
+  Numbers limit_;
+  Mask going_;
+
+ public:
+  Mask found;
+  Mask unusual;
+};
+
+template <class Leaf>
+HWY_INLINE void visit_leaves(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
+                             Leaf& leaf) {
+  if (tree.is_list()) {
+    leaf.visit(0, static_cast<std::uint32_t>(scene.objects.size()), bits_of(active));
+  } else {
+    traverse(tree.bvh(), rays, active, leaf);
+  }
+}
+
+HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
+                          bool cull, Hits& result) {
+  ClosestObjects leaf(scene, tree, rays, active, cull);
+  visit_leaves(scene, tree, rays, active, leaf);
+  result = leaf.best;
+  if (none(leaf.unusual)) return;
+  const RayLanes one(rays);
+  Lanes t(result.t), object(result.object), local_t(result.local.t), u(result.local.u), v(result.local.v),
+      part(result.local.part), nx(result.local.normal.x), ny(result.local.normal.y),
+      nz(result.local.normal.z);
+  for (unsigned left = bits_of(leaf.unusual); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const Hit hit = tree.closest(one[i], cull);
+    t.at[i] = hit.t;
+    object.at[i] = hit.object;
+    local_t.at[i] = hit.local.t;
+    u.at[i] = hit.local.uv.x;
+    v.at[i] = hit.local.uv.y;
+    part.at[i] = hit.local.part;
+    nx.at[i] = hit.local.normal.x;
+    ny.at[i] = hit.local.normal.y;
+    nz.at[i] = hit.local.normal.z;
+  }
+  result = {t.numbers(),
+            object.numbers(),
+            {local_t.numbers(),
+             {nx.numbers(), ny.numbers(), nz.numbers()},
+             u.numbers(),
+             v.numbers(),
+             part.numbers()}};
+}
+
+// Which rays hit anything nearer than `limit`.
+HWY_NOINLINE Mask occluded(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
+                           const Numbers& limit) {
+  AnyObjects leaf(scene, tree, rays, active, limit);
+  visit_leaves(scene, tree, rays, active, leaf);
+  if (none(leaf.unusual)) return leaf.found;
+  const RayLanes one(rays);
+  const Lanes limits(limit);
+  unsigned found = bits_of(leaf.found);
+  for (unsigned left = bits_of(leaf.unusual); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    if (tree.occluded(one[i], limits.at[i])) found |= 1u << i;
+  }
+  return mask_of(found);
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,227 @@
+// The surfaces that a packet of rays has hit: shading/surface.hpp for packets, lane by lane the same bits.
+#if defined(TRACE_SHADING_PACKET_SURFACES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRACE_SHADING_PACKET_SURFACES_INL_HPP
+#undef TRACE_SHADING_PACKET_SURFACES_INL_HPP
+#else
+#define TRACE_SHADING_PACKET_SURFACES_INL_HPP
+#endif
+
+#include "acceleration/packet/scene-inl.hpp"
+#include "scene/material_maps.hpp"
+#include "shading/surface.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+
+// Of Material what shading asks for; `index` and `shininess` as the luminance of their triples.
+struct Materials {
+  Vectors emissive, ambient, diffuse, specular, reflective, transmissive;
+  Numbers index, shininess;
+
+  Materials() = default;
+  HWY_INLINE explicit Materials(const Material& m)
+      : emissive(m.emissive),
+        ambient(m.ambient),
+        diffuse(m.diffuse),
+        specular(m.specular),
+        reflective(m.reflective),
+        transmissive(m.transmissive),
+        index(luminance(m.index)),
+        shininess(luminance(m.shininess)) {}
+};
+
+HWY_INLINE void assign(const Mask& m, const Materials& from, Materials& to) {
+  to.emissive = select(m, from.emissive, to.emissive);
+  to.ambient = select(m, from.ambient, to.ambient);
+  to.diffuse = select(m, from.diffuse, to.diffuse);
+  to.specular = select(m, from.specular, to.specular);
+  to.reflective = select(m, from.reflective, to.reflective);
+  to.transmissive = select(m, from.transmissive, to.transmissive);
+  to.index = select(m, from.index, to.index);
+  to.shininess = select(m, from.shininess, to.shininess);
+}
+
+struct VectorLanes {
+  Lanes x, y, z;
+
+  VectorLanes() = default;
+  HWY_INLINE explicit VectorLanes(const Vectors& v) : x(v.x), y(v.y), z(v.z) {}
+  HWY_INLINE void set(std::size_t i, const Vec3& v) {
+    x.at[i] = v.x;
+    y.at[i] = v.y;
+    z.at[i] = v.z;
+  }
+  HWY_INLINE Vec3 operator[](std::size_t i) const { return {x.at[i], y.at[i], z.at[i]}; }
+  HWY_INLINE Vectors vectors() const { return {x.numbers(), y.numbers(), z.numbers()}; }
+};
+
+// Materials that differ from lane to lane.
+struct MaterialLanes {
+  VectorLanes emissive, ambient, diffuse, specular, reflective, transmissive;
+  Lanes index, shininess;
+
+  HWY_INLINE void set(std::size_t i, const Material& m) {
+    emissive.set(i, m.emissive);
+    ambient.set(i, m.ambient);
+    diffuse.set(i, m.diffuse);
+    specular.set(i, m.specular);
+    reflective.set(i, m.reflective);
+    transmissive.set(i, m.transmissive);
+    index.at[i] = luminance(m.index);
+    shininess.at[i] = luminance(m.shininess);
+  }
+  HWY_INLINE Materials materials() const {
+    Materials m;
+    m.emissive = emissive.vectors();
+    m.ambient = ambient.vectors();
+    m.diffuse = diffuse.vectors();
+    m.specular = specular.vectors();
+    m.reflective = reflective.vectors();
+    m.transmissive = transmissive.vectors();
+    m.index = index.numbers();
+    m.shininess = shininess.numbers();
+    return m;
+  }
+};
+
+struct Surfaces {
+  Vectors point, normal, facing;
+  Numbers height, point_error;
+  Materials material;
+
+  // Surface::leaving
+  HWY_INLINE Rays leaving(const Vectors& direction) const {
+    const Numbers cosine = abs(dot(facing, direction));
+    return {point, direction, point_error, where(cosine > least_cosine, 4.0 * height / cosine)};
+  }
+};
+
+// A corner and two edges of a face each.
+struct Faces {
+  Vectors a, ab, ac;
+};
+
+HWY_INLINE Faces faces_of(const Mesh& mesh, const Lanes& part, unsigned some) {
+  VectorLanes a, b, c;
+  for (unsigned left = some; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const FaceCorners& face = mesh.faces[static_cast<std::size_t>(part.at[i])];
+    a.set(i, mesh.points[face[0]]);
+    b.set(i, mesh.points[face[1]]);
+    c.set(i, mesh.points[face[2]]);
+  }
+  const Vectors corner = a.vectors();
+  return {corner, b.vectors() - corner, c.vectors() - corner};
+}
+
+// Mesh::smooth_normal
+HWY_INLINE Vectors smooth_normals(const Mesh& mesh, const Lanes& part, const LocalHits& hits, unsigned some) {
+  VectorLanes a, b, c;
+  for (unsigned left = some; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    const FaceCorners& face = mesh.faces[static_cast<std::size_t>(part.at[i])];
+    a.set(i, mesh.normals[face[0]]);
+    b.set(i, mesh.normals[face[1]]);
+    c.set(i, mesh.normals[face[2]]);
+  }
+  return normalized((1.0 - hits.u - hits.v) * a.vectors() + hits.u * b.vectors() + hits.v * c.vectors());
+}
+
+// Mesh::distance, from what was computed of the face.
+HWY_INLINE Numbers distance_of_face(const Faces& face, const Vectors& normal, const Vectors& p) {
+  const Vectors from_a = p - face.a;
+  const Numbers error = gamma(16) * 2 * largest(face.ab) * largest(face.ac) * sum_of_sizes(from_a);
+  return (abs(dot(from_a, normal)) + error) / sqrt(dot(normal, normal));
+}
+
+// Fills the lanes `some`, which all hit `object`. `unusual` gets those whose surface only the scalar code can
+// tell.
+HWY_INLINE void fill(const Scene& scene, const Object& object, const LocalHits& local, const Mask& some,
+                     bool smooth, Surfaces& result, Mask& unusual) {
+  const Frame& frame = scene.frames[object.frame];
+  const MappedMaterial& material = scene.materials[object.material];
+  const Vectors p = point_times(frame.to_object, result.point);
+  const unsigned bits = bits_of(some);
+  Vectors normal = local.normal, facing = normal;
+  Numbers distance_to_surface;
+  bool differs = false;
+  if (const auto* id = std::get_if<MeshId>(&object.shape)) {
+    const SceneMesh& mesh = scene.meshes[id->index];
+    const Lanes part(local.part);
+    const Faces face = faces_of(mesh.geometry, part, bits);
+    const Vectors across = cross(face.ab, face.ac);
+    normal = facing = normalized(across);
+    distance_to_surface = distance_of_face(face, across, p);
+    if (smooth && mesh.geometry.smooth()) {
+      normal = smooth_normals(mesh.geometry, part, local, bits);
+      differs = true;
+    }
+    if (mesh.materials.empty()) {
+      assign(some, Materials(material.values), result.material);
+    } else {
+      MaterialLanes own;
+      const Lanes u(local.u), v(local.v);
+      for (unsigned left = bits; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+        own.set(i, mesh.material_at(static_cast<std::uint32_t>(part.at[i]), Vec2(u.at[i], v.at[i])));
+      }
+      assign(some, own.materials(), result.material);
+    }
+  } else {
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+      distance_to_surface = distance(*sphere, p, normal);
+    } else if (const auto* box = std::get_if<Box>(&object.shape)) {
+      distance_to_surface = distance(*box, p, normal);
+    } else if (const auto* square = std::get_if<Square>(&object.shape)) {
+      distance_to_surface = distance(*square, p, normal);
+    } else if (const auto* cylinder = std::get_if<Cylinder>(&object.shape)) {
+      distance_to_surface = distance(*cylinder, p, normal);
+    } else {
+      distance_to_surface = distance(std::get<Cone>(object.shape), p, normal);
+      const Mask on_side = !((normal.x == 0.0) & (normal.y == 0.0));
+      facing.z = select(on_side, 0.5 * normal.z, normal.z);
+      differs = true;
+    }
+    if (material.has_maps()) {
+      MaterialLanes own;
+      const Lanes u(local.u), v(local.v);
+      for (unsigned left = bits; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+        own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
+      }
+      assign(some, own.materials(), result.material);
+    } else {
+      assign(some, Materials(material.values), result.material);
+    }
+  }
+  Mask odd = no_lanes();
+  const Vectors world = world_normals(frame, normal, odd);
+  result.normal = select(some, world, result.normal);
+  // Where both are the same, so are the results.
+  result.facing = select(some, differs ? world_normals(frame, facing, odd) : world, result.facing);
+  const Numbers height =
+      frame.to_world_stretch * (distance_to_surface + bound_at(frame.error_bound(), largest(result.point)));
+  result.height = select(some, height, result.height);
+  unusual |= some & odd;
+}
+
+// The surfaces of the lanes `hit`; `unusual` gets those that only the scalar code can tell.
+HWY_NOINLINE void surfaces_of(const Scene& scene, const Rays& rays, const Hits& hits, const Mask& hit,
+                              bool smooth, Surfaces& result, Mask& unusual) {
+  result.point = rays.at(hits.t);
+  const Lanes objects(hits.object);
+  for (unsigned left = bits_of(hit); left != 0;) {
+    const auto first = static_cast<std::size_t>(__builtin_ctz(left));
+    const Mask same = hit & (hits.object == Numbers(objects.at[first]));
+    left &= ~bits_of(same);
+    fill(scene, scene.objects[static_cast<std::size_t>(objects.at[first])], hits.local, same, smooth, result,
+         unusual);
+  }
+  result.point_error =
+      result.height / greater_of(abs(dot(result.facing, rays.direction)), Numbers(least_cosine));
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

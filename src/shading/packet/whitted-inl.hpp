@@ -1,0 +1,126 @@
+// The ray trees of a packet: shading/whitted.hpp for packets.
+#if defined(TRACE_SHADING_PACKET_WHITTED_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRACE_SHADING_PACKET_WHITTED_INL_HPP
+#undef TRACE_SHADING_PACKET_WHITTED_INL_HPP
+#else
+#define TRACE_SHADING_PACKET_WHITTED_INL_HPP
+#endif
+
+#include "shading/packet/local_shading-inl.hpp"
+#include "shading/transmittance.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+
+enum class Kind { visibility, reflection, refraction };
+
+struct Seen {
+  Vectors color;
+  Numbers t;  // length_of_miss where nothing was hit
+};
+
+// shading/secondary_direction.hpp
+HWY_INLINE Vectors mirrored_directions(const Vectors& d, const Vectors& n) {
+  const Vectors along = dot(n, -d) * n;
+  const Vectors across = along + d;
+  return along + across;
+}
+// `bent` loses the lanes of total internal reflection.
+HWY_INLINE Vectors refracted_directions(const Vectors& d, const Vectors& n, const Numbers& eta, Mask& bent) {
+  const Vectors across = eta * (d - dot(n, d) * n);
+  const Numbers k = 1.0 - dot(across, across);
+  bent = without(bent, (k < 0.0) | !(eta * 0.0 == 0.0));
+  return across - sqrt(k) * n;
+}
+
+HWY_INLINE Vectors background(const Scene& scene, const Vectors& direction, const Mask& missed) {
+  if (!scene.cube_map) return {0.0, 0.0, 0.0};
+  const VectorLanes d(direction);
+  VectorLanes color(Vectors(0.0, 0.0, 0.0));
+  for (unsigned left = bits_of(missed); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    color.set(i, scene.cube_map->lookup(d[i]));
+  }
+  return color.vectors();
+}
+
+HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays, const Mask& active, Kind kind,
+                               int depth, Seen& seen, LaneCounts& counts, Mask& odd);
+
+HWY_NOINLINE void add_reflected(const PacketScene& world, const Rays& rays, const Surfaces& surface,
+                                const Mask& inside, const Mask& some, int depth, Vectors& color,
+                                LaneCounts& counts, Mask& odd) {
+  counts.reflected += where(some, 1.0);
+  const Rays mirrored = surface.leaving(mirrored_directions(rays.direction, surface.normal));
+  Seen seen;
+  trace_packet(world, mirrored, some, Kind::reflection, depth - 1, seen, counts, odd);
+  const Materials& material = surface.material;
+  Vectors share = material.reflective;
+  const Mask in_glass = without(some & inside & !is_zero(material.transmissive), odd);
+  if (any(in_glass)) {
+    share = select(in_glass, share * transmittances(material.transmissive, seen.t, in_glass, odd), share);
+  }
+  const Vectors sum = color + share * seen.color;
+  odd |= without(some, all_finite(sum));
+  color = select(some, sum, color);
+}
+
+HWY_NOINLINE void add_refracted(const PacketScene& world, const Rays& rays, const Surfaces& surface,
+                                const Mask& inside, Mask some, int depth, Vectors& color, LaneCounts& counts,
+                                Mask& odd) {
+  const Materials& material = surface.material;
+  const Vectors n = select(inside, -surface.normal, surface.normal);
+  const Numbers eta = select(inside, material.index, 1.0 / material.index);
+  const Vectors direction = refracted_directions(rays.direction, n, eta, some);
+  if (none(some)) return;
+  counts.refracted += where(some, 1.0);
+  const Rays bent = surface.leaving(direction);
+  Seen seen;
+  trace_packet(world, bent, some, Kind::refraction, depth - 1, seen, counts, odd);
+  Vectors light = seen.color;
+  const Mask entering = without(some, inside | odd);
+  if (any(entering)) {
+    light = select(entering, transmittances(material.transmissive, seen.t, entering, odd) * light, light);
+  }
+  const Vectors sum = color + light;
+  odd |= without(some, all_finite(sum));
+  color = select(some, sum, color);
+}
+
+// WhittedTracer::trace for the lanes `active`.
+HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays, const Mask& active, Kind kind,
+                               int depth, Seen& seen, LaneCounts& counts, Mask& odd) {
+  // Of rays that lead nowhere the scalar code knows what is seen.
+  odd |= without(active, all_finite(0.0 * rays.origin + rays.direction) & !is_zero(rays.direction));
+  const Mask going = without(active, odd);
+  seen.color = {0.0, 0.0, 0.0};
+  seen.t = length_of_miss;
+  if (none(going)) return;
+  const bool cull = world.options.backface_culling && kind != Kind::refraction;
+  Hits hits;
+  closest(world.scene, world.tree, rays, going, cull, hits);
+  const Mask hit = going & (hits.t < std::numeric_limits<double>::infinity());
+  const Vectors behind = background(world.scene, rays.direction, without(going, hit));
+  seen.color = behind;
+  if (none(hit)) return;
+
+  Surfaces surface;
+  surfaces_of(world.scene, rays, hits, hit, world.options.smooth_shading, surface, odd);
+  Vectors color = shade_locally(world, surface, rays.direction, without(hit, odd), counts, odd);
+  if (depth > 0) {
+    const Mask inside = dot(surface.normal, rays.direction) > 0.0;
+    const Mask left = without(hit, odd);
+    Mask reflects = without(left, is_zero(surface.material.reflective));
+    if (!world.options.internal_reflection) reflects = without(reflects, inside);
+    if (any(reflects)) add_reflected(world, rays, surface, inside, reflects, depth, color, counts, odd);
+    const Mask transmits = without(left, odd | is_zero(surface.material.transmissive));
+    if (any(transmits)) add_refracted(world, rays, surface, inside, transmits, depth, color, counts, odd);
+  }
+  seen.color = select(hit, color, behind);
+  seen.t = select(hit, hits.t, length_of_miss);
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,71 @@
+#include "shading/packet_tracer.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shading/packet_tracer.cpp"
+#include "hwy/foreach_target.h"
+// The kernels, once for each set of instructions.
+#include "shading/packet/whitted-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+
+void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, int depth,
+                 SampleBatch& batch, RayCounts& sum) {
+  const PacketScene world{scene, tree, options};
+  const Tag d;
+  Rays rays;
+  rays.origin = Vectors(scene.camera.eye);
+  rays.origin_error = rays.least_t = 0.0;
+  Numbers primary = 0.0;
+  LaneCounts total{0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < batch.count; i += lanes) {
+    const Mask active = first_lanes(std::min(lanes, batch.count - i));
+    rays.direction =
+        normalized(Vectors(hn::Load(d, batch.x + i), hn::Load(d, batch.y + i), hn::Load(d, batch.z + i)));
+    LaneCounts counts{0.0, 0.0, 0.0};
+    Mask odd = no_lanes();
+    Seen seen;
+    trace_packet(world, rays, active, Kind::visibility, depth, seen, counts, odd);
+    const Mask good = without(active, odd);
+    primary += where(good, 1.0);
+    total.reflected += where(good, counts.reflected);
+    total.refracted += where(good, counts.refracted);
+    total.shadow += where(good, counts.shadow);
+    hn::Store(seen.color.x.v, d, batch.red + i);
+    hn::Store(seen.color.y.v, d, batch.green + i);
+    hn::Store(seen.color.z.v, d, batch.blue + i);
+    const unsigned bits = bits_of(odd);
+    for (std::size_t k = 0; k < lanes; ++k) batch.left_out[i + k] = (bits >> k & 1) != 0;
+  }
+  const auto counted = [](const Numbers& n) HWY_ATTR {
+    return static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(Tag(), n.v)));
+  };
+  sum.primary += counted(primary);
+  sum.reflected += counted(total.reflected);
+  sum.refracted += counted(total.refracted);
+  sum.shadow += counted(total.shadow);
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace trace {
+
+PacketTracer::PacketTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
+                           InstructionSet set, RayCounts& counts)
+    : scene_(scene), tree_(tree), options_(options), set_(set), counts_(counts) {}
+
+void PacketTracer::trace(SampleBatch& batch, int depth) const {
+  switch (set_) {
+    case InstructionSet::avx512:
+      return N_AVX3::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+    case InstructionSet::avx2:
+      return N_AVX2::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+    default:
+      return N_SSE4::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+  }
+}
+
+}  // namespace trace
+#endif
