@@ -1,10 +1,9 @@
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "acceleration/bvh.hpp"
 #include "geometry/rounding.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
@@ -106,8 +105,8 @@ class Builder {
     n.left = node + 1;
     n.right = node + 2 * (middle - first);
     if (last - first >= parallel_size) {
-      tbb::parallel_invoke([=, this] { split(nodes_[node].left, first, middle, depth + 1); },
-                           [=, this] { split(nodes_[node].right, middle, last, depth + 1); });
+      threads_.both([=, this] { split(nodes_[node].left, first, middle, depth + 1); },
+                    [=, this] { split(nodes_[node].right, middle, last, depth + 1); });
     } else {
       split(n.left, first, middle, depth + 1);
       split(n.right, middle, last, depth + 1);
@@ -228,6 +227,7 @@ class Builder {
     }
   }
 
+  ThreadBudget threads_{hardware_threads()};
   std::uint32_t max_leaf_;
   Vec3 centre_{0};
   float slack_ = 0;

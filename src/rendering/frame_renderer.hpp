@@ -1,12 +1,11 @@
 // What the stages of one picture share: the scene, its hierarchy, the camera's rays, threads and counters.
 #pragma once
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "parallel/parallel.hpp"
 #include "rendering/non_finite.hpp"
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
@@ -97,30 +96,16 @@ class FrameRenderer {
 template <class Body>
 void FrameRenderer::for_each_tile(int edge, Body&& body) {
   const int columns = (width() + edge - 1) / edge, rows = (height_ + edge - 1) / edge;
-  const std::int64_t tiles = std::int64_t{columns} * rows;
-  const auto run = [&](std::int64_t first, std::int64_t last, std::size_t thread) {
-    const Sampler sampler(*this, counts_[thread].rays);
-    for (std::int64_t tile = first; tile != last; ++tile) {
-      const int x0 = static_cast<int>(tile % columns) * edge, y0 = static_cast<int>(tile / columns) * edge;
-      const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
-      body(sampler, x0, y0, x1, y1);
-      progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
-    }
-  };
-  // Starting the thread pool takes longer than a small picture.
-  if (counts_.size() == 1 || tiles == 1) {
-    run(0, tiles, 0);
-    return;
-  }
-  tbb::task_arena arena(static_cast<int>(counts_.size()));
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<std::int64_t>(0, tiles, 1),
-        [&](const tbb::blocked_range<std::int64_t>& range) {
-          run(range.begin(), range.end(),
-              static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
-        },
-        tbb::simple_partitioner());
+  const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  std::vector<std::optional<Sampler>> samplers(counts_.size());  // a thread each, made by it
+  parallel_for(static_cast<int>(counts_.size()), tiles, [&](std::size_t tile, int thread) {
+    std::optional<Sampler>& sampler = samplers[static_cast<std::size_t>(thread)];
+    if (!sampler) sampler.emplace(*this, counts_[static_cast<std::size_t>(thread)].rays);
+    const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * edge;
+    const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * edge;
+    const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
+    body(*sampler, x0, y0, x1, y1);
+    progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <thread>
 
 #include "rendering/antialias.hpp"
 #include "rendering/blocks.hpp"
@@ -83,9 +82,8 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
   const bool refine = options.antialiasing.enabled && options.antialiasing.supersamples > 1;
   progress.total = refine ? 2 * pixels : pixels;
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-  FrameRenderer frame(scene, tree, options, height, std::max(threads, 1), progress);
+  const int threads = options.threads > 0 ? options.threads : hardware_threads();
+  FrameRenderer frame(scene, tree, options, height, threads, progress);
   if (options.blocks.threshold > 0) {
     render_blocks(frame, result.image);
   } else if (options.instruction_set == InstructionSet::baseline) {

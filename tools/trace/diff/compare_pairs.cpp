@@ -1,11 +1,11 @@
 #include "tools/trace/diff/compare_pairs.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <filesystem>
 
 #include "image/image.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
@@ -82,7 +82,7 @@ std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, c
   std::vector<std::string> failure(pairs.size());
   // One pair is divided between threads, several are given one each.
   const unsigned threads = pairs.size() == 1 ? JudgeOptions{}.threads : 1;
-  const auto compare = [&](std::size_t i) {
+  const auto compare = [&](std::size_t i, int) {
     const PicturePair& pair = pairs[i];
     ComparedPair& result = results[i];
     result = {pair.name, text(pair.reference), text(pair.test),
@@ -90,10 +90,7 @@ std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, c
     if (result.judgement.verdict == Verdict::missing) result.test.reset();
     if (result.judgement.verdict == Verdict::extra) result.reference.reset();
   };
-  if (pairs.size() == 1)
-    compare(0);
-  else
-    tbb::parallel_for(std::size_t{0}, pairs.size(), compare);
+  parallel_for(hardware_threads(), pairs.size(), compare);
   for (std::string& text_of_one : failure)
     if (!text_of_one.empty()) failures.push_back(std::move(text_of_one));
   return results;
