@@ -1,4 +1,4 @@
-// Bounding-volume hierarchy with four children a node, over any kind of item that has a box.
+// Bounding-volume hierarchy with eight children a node, over any kind of item that has a box.
 //
 // It only rejects: every item whose box the ray may touch is handed to the caller, who decides with the exact
 // formulas. Boxes are 32-bit and rounded outward, and the ray's side of the test carries its own error bound
@@ -10,19 +10,20 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "geometry/bounds.hpp"
 
 namespace trace {
 
-inline constexpr std::size_t bvh_width = 4;
+inline constexpr int bvh_width = 8;
 
+// Children that exist come first. Of the others low > high, and both child and count are 0, which no child
+// that exists has: a box test that NaN passes has to look.
 struct alignas(64) BvhNode {
-  float low[3][4], high[3][4];  // axis, child; low > high where there is no child
-  std::uint32_t child[4];       // index of a node, or of the first item of a leaf
-  std::uint8_t count[4];        // items in the leaf; 0 for a node
+  float low[3][bvh_width], high[3][bvh_width];  // axis, child
+  std::uint32_t child[bvh_width];               // index of a node, or of the first item of a leaf
+  std::uint8_t count[bvh_width];                // items in the leaf; 0 for a node
 };
 
 struct Bvh {
@@ -33,11 +34,13 @@ struct Bvh {
   float slack = 0;                      // by which a hit's t may come out too small (see upper_limit)
 };
 
-// Binned surface-area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
-// 2007), two children at a time, then collapsed to four. `max_leaf` (1 to 255) is the largest leaf wanted.
-Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf);
+// The surface-area heuristic's estimate of the work for a ray that meets the root: the sum over all nodes of
+// their surface, and over all leaves of their surface times their items, in units of the root's surface. A
+// node with its eight boxes counts as much as one item. 0 without nodes or where the root has no surface.
+double surface_area_cost(const Bvh& bvh);
 
-// A binary tree of at most this depth; deeper ranges are halved by count, which adds at most 32 levels.
+// Binary splits above any node are at most so many; deeper ranges are halved by count, which adds at most 32
+// levels. A node's children are at least one split below it.
 inline constexpr int max_sah_depth = 64;
 inline constexpr int max_bvh_depth = max_sah_depth + 32;
 
@@ -62,10 +65,42 @@ struct BvhRay {
 // A distance in double as an upper limit for boxes. Boxes may be off by the relative error above, and the t
 // of a hit by more than its place: in a grazing hit a small error across becomes a large one along the ray,
 // for a quadric up to the square root of 2^-50 of its size, for a triangle 2^-23 of its size and of t
-// (triangle.cpp).
+// (geometry/triangle.hpp).
 inline float upper_limit(const Bvh& bvh, double t) {
   return static_cast<float>(t * (1 + 0x1p-20)) + bvh.slack;
 }
+
+namespace detail {
+
+// Four of a node's children against a ray: where it enters them, and a bit for each that it meets.
+struct BoxTest {
+  __m128 near_o[3], far_o[3], near_i[3], far_i[3];
+  bool negative[3];
+
+  explicit BoxTest(const BvhRay& ray) {
+    for (int axis = 0; axis < 3; ++axis) {
+      near_o[axis] = _mm_set1_ps(ray.near_origin[axis]);
+      far_o[axis] = _mm_set1_ps(ray.far_origin[axis]);
+      near_i[axis] = _mm_set1_ps(ray.near_inverse[axis]);
+      far_i[axis] = _mm_set1_ps(ray.far_inverse[axis]);
+      negative[axis] = ray.negative[axis];
+    }
+  }
+
+  unsigned operator()(const BvhNode& node, int first, float limit, float* distance) const {
+    __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const __m128 low = _mm_load_ps(node.low[axis] + first), high = _mm_load_ps(node.high[axis] + first);
+      const __m128 near_plane = negative[axis] ? high : low, far_plane = negative[axis] ? low : high;
+      enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(near_plane, near_o[axis]), near_i[axis]), enter);
+      leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(far_plane, far_o[axis]), far_i[axis]), leave);
+    }
+    _mm_store_ps(distance, enter);
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
+  }
+};
+
+}  // namespace detail
 
 // Calls leaf(first, count, limit) for each leaf that the ray may touch within `limit`, near ones first as far
 // as boxes tell. `first` counts in Bvh::order. The call returns the limit from then on: unchanged, the t of a
@@ -78,35 +113,18 @@ void traverse(const Bvh& bvh, const BvhRay& ray, double limit, Leaf&& leaf) {
     std::uint32_t index;
     std::uint32_t count;
   };
-  // A visit takes one entry and adds at most four.
-  std::array<Entry, 3 * max_bvh_depth + 4> stack;
+  // A visit takes one entry and adds at most eight.
+  std::array<Entry, (bvh_width - 1) * max_bvh_depth + bvh_width> stack;
   std::size_t size = 0;
   Entry entry{0, 0, 0};
   float limit_f = upper_limit(bvh, limit);
-
-  const __m128 near_o[3] = {_mm_set1_ps(ray.near_origin[0]), _mm_set1_ps(ray.near_origin[1]),
-                            _mm_set1_ps(ray.near_origin[2])};
-  const __m128 far_o[3] = {_mm_set1_ps(ray.far_origin[0]), _mm_set1_ps(ray.far_origin[1]),
-                           _mm_set1_ps(ray.far_origin[2])};
-  const __m128 near_i[3] = {_mm_set1_ps(ray.near_inverse[0]), _mm_set1_ps(ray.near_inverse[1]),
-                            _mm_set1_ps(ray.near_inverse[2])};
-  const __m128 far_i[3] = {_mm_set1_ps(ray.far_inverse[0]), _mm_set1_ps(ray.far_inverse[1]),
-                           _mm_set1_ps(ray.far_inverse[2])};
+  const detail::BoxTest test(ray);
 
   for (;;) {
     if (entry.count == 0) {
       const BvhNode& node = bvh.nodes[entry.index];
-      __m128 enter = _mm_setzero_ps(), leave = _mm_set1_ps(limit_f);
-      for (int axis = 0; axis < 3; ++axis) {
-        const float* near_plane = ray.negative[axis] ? node.high[axis] : node.low[axis];
-        const float* far_plane = ray.negative[axis] ? node.low[axis] : node.high[axis];
-        enter =
-            _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(near_plane), near_o[axis]), near_i[axis]), enter);
-        leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(far_plane), far_o[axis]), far_i[axis]), leave);
-      }
-      auto mask = static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
-      alignas(16) float distance[4];
-      _mm_store_ps(distance, enter);
+      alignas(16) float distance[bvh_width];
+      unsigned mask = test(node, 0, limit_f, distance) | test(node, 4, limit_f, distance + 4) << 4;
       // Children go on the stack with the nearest on top.
       const std::size_t base = size;
       while (mask != 0) {

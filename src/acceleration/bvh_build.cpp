@@ -1,245 +1,213 @@
-#include <algorithm>
-#include <numeric>
+#include "acceleration/bvh_build.hpp"
 
-#include "acceleration/bvh.hpp"
+#include <algorithm>
+
+#include "acceleration/bvh_split.hpp"
 #include "geometry/rounding.hpp"
-#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
 
-struct Box3f {
-  std::array<float, 3> low{inf, inf, inf}, high{-inf, -inf, -inf};
-  static constexpr float inf = std::numeric_limits<float>::infinity();
+// Above so many items the children of a node, and the splits between them, are done side by side.
+constexpr std::uint32_t parallel_size = 4096;
 
-  void add(const Box3f& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], b.low[axis]);
-      high[axis] = std::max(high[axis], b.high[axis]);
-    }
-  }
-  float half_area() const {
-    const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-    return x * y + y * z + z * x;
-  }
+// A subtree: a node, and the subtrees of those of its children that are not in `nodes` themselves.
+struct Part {
+  std::vector<BvhNode> nodes;  // nodes[0] is the root
+  std::vector<Part> parts;     // of the children of nodes[0], in their order; empty if all are in `nodes`
 };
-
-double largest_coordinate(const Bounds& b) {
-  return std::max(largest(b.min), largest(b.max));
-}
-
-// The tightest 32-bit box around `b` and some slack, relative to `centre`: the exact formulas work in the
-// space of the object and hit up to its edge there, which the box misses by the rounding of the object's
-// place, some 2^-50 of its largest coordinate.
-Box3f rounded_outward(const Bounds& b, const Vec3& centre) {
-  const double slack = 0x1p-40 * largest_coordinate(b);
-  Box3f result;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = b.min[axis] - centre[axis] - slack, high = b.max[axis] - centre[axis] + slack;
-    result.low[axis] = static_cast<float>(low);
-    if (result.low[axis] > low) result.low[axis] = std::nextafter(result.low[axis], -Box3f::inf);
-    result.high[axis] = static_cast<float>(high);
-    if (result.high[axis] < high) result.high[axis] = std::nextafter(result.high[axis], Box3f::inf);
-  }
-  return result;
-}
-
-struct BinaryNode {
-  Box3f box;
-  std::uint32_t first, count;  // items; count is 0 for an inner node
-  std::uint32_t left, right;
-};
-
-constexpr int bin_count = 16;
-constexpr float traversal_cost = 1.0f;  // of one node, in units of one item's test
-constexpr std::uint32_t parallel_size = 8192;
 
 class Builder {
  public:
-  Builder(std::span<const Bounds> items, std::uint32_t max_leaf) : max_leaf_(max_leaf) {
-    Bounds all;
-    for (const Bounds& b : items) all.add(b);
-    if (!all.empty()) centre_ = 0.5 * all.min + 0.5 * all.max;
-    if (!is_finite(centre_)) centre_ = Vec3(0);
-    slack_ = static_cast<float>(0x1p-21 * largest(all.max - centre_) + 0x1p-40 * largest_coordinate(all));
-    boxes_.reserve(items.size());
-    for (const Bounds& b : items) boxes_.push_back(rounded_outward(b, centre_));
-    order_.resize(items.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    if (!items.empty()) nodes_.resize(2 * items.size() - 1);
-  }
+  Builder(std::span<BoxReference> references, const LeafSizes& leaves, SpareThreads& threads)
+      : references_(references), leaves_(leaves), threads_(threads) {}
 
-  Bvh build() {
-    Bvh result;
-    if (nodes_.empty()) return result;
-    const auto count = static_cast<std::uint32_t>(order_.size());
-    split(0, 0, count, 0);
-    result.nodes.reserve(order_.size() / 3 + 1);
-    collapse(result);
-    result.order = std::move(order_);
-    result.centre = centre_;
-    for (int axis = 0; axis < 3; ++axis) {
-      result.centre_error[axis] = static_cast<float>(0x1p-44 * std::abs(centre_[axis]));
+  std::vector<BvhNode> build() {
+    const auto count = static_cast<std::uint32_t>(references_.size());
+    Part part;
+    const BvhRange all = whole_range(references_, 0, count, 0);
+    if (!subtree(all, part)) {
+      Children root;
+      root.add(all, true);
+      part.nodes.push_back(node_of(root));
     }
-    result.slack = slack_;
-    return result;
+    std::vector<BvhNode> nodes;
+    nodes.reserve(size_of(part));
+    append(part, nodes);
+    return nodes;
   }
 
  private:
-  float centre(std::uint32_t item, int axis) const {
-    const float c = 0.5f * boxes_[item].low[axis] + 0.5f * boxes_[item].high[axis];
-    return std::isfinite(c) ? c : 0.0f;
-  }
+  struct Children {
+    BvhRange ranges[bvh_width];
+    bool is_leaf[bvh_width];
+    int count = 0;
 
-  // The subtree of n items takes the 2n - 1 nodes from `node` on, so that halves can be built side by side
-  // and the result does not depend on how they ran.
-  void split(std::uint32_t node, std::uint32_t first, std::uint32_t last, int depth) {
-    BinaryNode& n = nodes_[node];
-    n.box = {};
-    for (std::uint32_t i = first; i < last; ++i) n.box.add(boxes_[order_[i]]);
-    n.first = first;
-    n.count = last - first;
-    const std::uint32_t middle = choose_split(n, first, last, depth);
-    if (middle == last) return;  // a leaf
-    n.count = 0;
-    n.left = node + 1;
-    n.right = node + 2 * (middle - first);
-    if (last - first >= parallel_size) {
-      threads_.both([=, this] { split(nodes_[node].left, first, middle, depth + 1); },
-                    [=, this] { split(nodes_[node].right, middle, last, depth + 1); });
-    } else {
-      split(n.left, first, middle, depth + 1);
-      split(n.right, middle, last, depth + 1);
+    void add(const BvhRange& range, bool leaf) {
+      ranges[count] = range;
+      is_leaf[count++] = leaf;
     }
-  }
-
-  struct Plane {
-    float cost = std::numeric_limits<float>::infinity();
-    int axis = -1;
-    int bin = 0;
   };
 
-  // Reorders [first, last) and returns where the right half begins; `last` for a leaf.
-  std::uint32_t choose_split(const BinaryNode& n, std::uint32_t first, std::uint32_t last, int depth) {
-    const std::uint32_t count = last - first;
-    if (count == 1) return last;
-    Box3f centres;
-    for (std::uint32_t i = first; i < last; ++i) {
-      Box3f c;
-      for (int axis = 0; axis < 3; ++axis) c.low[axis] = c.high[axis] = centre(order_[i], axis);
-      centres.add(c);
-    }
-    const Plane plane = depth < max_sah_depth ? best_plane(centres, first, last) : Plane{};
-    const float area = n.box.half_area();
-    const float leaf_cost = static_cast<float>(count);
-    const float split_cost = area > 0 ? traversal_cost + plane.cost / area : traversal_cost;
-    if (count <= max_leaf_ && !(split_cost < leaf_cost)) return last;
-    if (plane.axis >= 0) {
-      const auto left = [&](std::uint32_t item) { return bin_of(item, plane.axis, centres) <= plane.bin; };
-      const auto middle = std::partition(order_.begin() + first, order_.begin() + last, left);
-      return static_cast<std::uint32_t>(middle - order_.begin());
-    }
-    // No plane separates the centres, or the tree is deep: halve by count.
-    return first + count / 2;
+  std::optional<BvhHalves> halves(const BvhRange& range) const {
+    return split(references_, range, leaves_, threads_);
   }
 
-  int bin_of(std::uint32_t item, int axis, const Box3f& centres) const {
-    const float low = centres.low[axis], high = centres.high[axis];
-    const float scaled = static_cast<float>(bin_count) * ((centre(item, axis) - low) / (high - low));
-    return scaled >= bin_count ? bin_count - 1 : (scaled > 0 ? static_cast<int>(scaled) : 0);
-  }
-
-  Plane best_plane(const Box3f& centres, std::uint32_t first, std::uint32_t last) const {
-    Plane best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(centres.high[axis] > centres.low[axis])) continue;
-      std::array<Box3f, bin_count> boxes;
-      std::array<std::uint32_t, bin_count> counts{};
-      for (std::uint32_t i = first; i < last; ++i) {
-        const int bin = bin_of(order_[i], axis, centres);
-        boxes[bin].add(boxes_[order_[i]]);
-        ++counts[bin];
+  static BvhNode node_of(const Children& children) {
+    BvhNode node{};
+    for (int i = 0; i < bvh_width; ++i) {
+      const FloatBox box = i < children.count ? children.ranges[i].box : FloatBox{};
+      alignas(16) float low[4], high[4];
+      _mm_store_ps(low, box.low);
+      _mm_store_ps(high, box.high);
+      for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis][i] = low[axis];
+        node.high[axis][i] = high[axis];
       }
-      std::array<float, bin_count> right_cost{};
-      Box3f box;
-      std::uint32_t count = 0;
-      for (int bin = bin_count - 1; bin > 0; --bin) {
-        box.add(boxes[bin]);
-        count += counts[bin];
-        right_cost[bin] = count == 0 ? -1 : box.half_area() * static_cast<float>(count);
-      }
-      box = {};
-      count = 0;
-      for (int bin = 0; bin + 1 < bin_count; ++bin) {
-        box.add(boxes[bin]);
-        count += counts[bin];
-        if (count == 0 || right_cost[bin + 1] < 0) continue;
-        const float cost = box.half_area() * static_cast<float>(count) + right_cost[bin + 1];
-        if (cost < best.cost) best = {cost, axis, bin};
+      if (i < children.count && children.is_leaf[i]) {
+        node.child[i] = children.ranges[i].first;
+        node.count[i] = static_cast<std::uint8_t>(children.ranges[i].size());
       }
     }
-    return best;
+    return node;
   }
 
-  // --- two children a node to four ---
+  // False for a leaf.
+  bool subtree(const BvhRange& range, Part& part) const {
+    if (range.size() > parallel_size) {
+      large(range, part);
+      return true;
+    }
+    const auto both = halves(range);
+    if (!both) return false;
+    part.nodes.reserve(range.size() / 8 + 1);
+    part.nodes.emplace_back();
+    small(*both, part.nodes, 0);
+    return true;
+  }
 
-  void collapse(Bvh& result) const {
-    struct Task {
-      std::uint32_t binary, wide;
-    };
-    std::vector<Task> tasks{{0, 0}};
-    result.nodes.emplace_back();
-    while (!tasks.empty()) {
-      const Task task = tasks.back();
-      tasks.pop_back();
-      std::array<std::uint32_t, 4> children{task.binary};
-      int count = 1;
-      // Open the largest inner child until there are four.
-      for (;;) {
-        int widest = -1;
-        for (int i = 0; i < count; ++i) {
-          if (nodes_[children[i]].count != 0) continue;
-          if (widest < 0 || nodes_[children[i]].box.half_area() > nodes_[children[widest]].box.half_area()) {
-            widest = i;
-          }
-        }
-        if (widest < 0 || count == 4) break;
-        const BinaryNode& opened = nodes_[children[widest]];
-        children[widest] = opened.left;
-        children[count++] = opened.right;
+  // Children by splitting in half, each half, and each of theirs, so that it can be done side by side.
+  void open(const BvhRange& range, int levels, Children& children) const {
+    const auto both = levels > 0 ? halves(range) : std::nullopt;
+    if (!both) {
+      children.add(range, levels > 0);
+      return;
+    }
+    Children right;
+    threads_.both([&] { open(both->left, levels - 1, children); },
+                  [&] { open(both->right, levels - 1, right); });
+    for (int i = 0; i < right.count; ++i) children.add(right.ranges[i], right.is_leaf[i]);
+  }
+
+  void large(const BvhRange& range, Part& part) const {
+    Children children;
+    open(range, 3, children);
+    std::vector<Part> parts(static_cast<std::size_t>(children.count));
+    threads_.each(0, parts.size(), [&](std::size_t i) {
+      if (!children.is_leaf[i]) children.is_leaf[i] = !subtree(children.ranges[i], parts[i]);
+    });
+    part.nodes.push_back(node_of(children));
+    part.parts = std::move(parts);
+  }
+
+  // Children by splitting that with the largest surface until there are eight.
+  void small(const BvhHalves& first, std::vector<BvhNode>& nodes, std::uint32_t index) const {
+    Children children;
+    children.add(first.left, false);
+    children.add(first.right, false);
+    float areas[bvh_width] = {first.left.box.half_area(), first.right.box.half_area()};
+    while (children.count < bvh_width) {
+      int widest = -1;
+      for (int i = 0; i < children.count; ++i) {
+        if (!children.is_leaf[i] && (widest < 0 || areas[i] > areas[widest])) widest = i;
       }
-      for (int i = 0; i < 4; ++i) {
-        const BinaryNode* child = i < count ? &nodes_[children[i]] : nullptr;
-        std::uint32_t index = 0;
-        if (child && child->count == 0) {
-          index = static_cast<std::uint32_t>(result.nodes.size());
-          result.nodes.emplace_back();
-          tasks.push_back({children[i], index});
-        }
-        BvhNode& node = result.nodes[task.wide];
-        for (int axis = 0; axis < 3; ++axis) {
-          node.low[axis][i] = child ? child->box.low[axis] : Box3f::inf;
-          node.high[axis][i] = child ? child->box.high[axis] : -Box3f::inf;
-        }
-        node.child[i] = child ? (child->count == 0 ? index : child->first) : 0;
-        node.count[i] = child ? static_cast<std::uint8_t>(child->count) : 0;
+      if (widest < 0) break;
+      const auto both = halves(children.ranges[widest]);
+      if (!both) {
+        children.is_leaf[widest] = true;
+        continue;
       }
+      children.ranges[widest] = both->left;
+      areas[widest] = both->left.box.half_area();
+      areas[children.count] = both->right.box.half_area();
+      children.add(both->right, false);
+    }
+    std::optional<BvhHalves> below[bvh_width];
+    for (int i = 0; i < children.count; ++i) {
+      if (!children.is_leaf[i]) below[i] = halves(children.ranges[i]);
+      if (!below[i]) children.is_leaf[i] = true;
+    }
+    BvhNode node = node_of(children);
+    for (int i = 0; i < children.count; ++i) {
+      if (!below[i]) continue;
+      node.child[i] = static_cast<std::uint32_t>(nodes.size());
+      nodes.emplace_back();
+    }
+    nodes[index] = node;
+    for (int i = 0; i < children.count; ++i) {
+      if (below[i]) small(*below[i], nodes, node.child[i]);
     }
   }
 
-  ThreadBudget threads_{hardware_threads()};
-  std::uint32_t max_leaf_;
-  Vec3 centre_{0};
-  float slack_ = 0;
-  std::vector<Box3f> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<BinaryNode> nodes_;
+  static std::size_t size_of(const Part& part) {
+    std::size_t result = part.nodes.size();
+    for (const Part& below : part.parts) result += size_of(below);
+    return result;
+  }
+
+  // Releases the memory of what it has appended.
+  static void append(Part& part, std::vector<BvhNode>& nodes) {
+    const auto base = static_cast<std::uint32_t>(nodes.size());
+    for (BvhNode node : part.nodes) {
+      for (int i = 0; i < bvh_width; ++i) {
+        if (node.count[i] == 0 && node.child[i] != 0) node.child[i] += base;
+      }
+      nodes.push_back(node);
+    }
+    part.nodes = {};
+    for (std::size_t i = 0; i < part.parts.size(); ++i) {
+      if (part.parts[i].nodes.empty()) continue;
+      nodes[base].child[i] = static_cast<std::uint32_t>(nodes.size());
+      append(part.parts[i], nodes);
+    }
+  }
+
+  std::span<BoxReference> references_;
+  const LeafSizes& leaves_;
+  SpareThreads& threads_;
 };
 
 }  // namespace
 
-Bvh build_bvh(std::span<const Bounds> items, std::uint32_t max_leaf) {
-  return Builder(items, max_leaf).build();
+BvhItems::BvhItems(const Bounds& all, std::size_t count) {
+  if (!all.empty()) centre_ = 0.5 * all.min + 0.5 * all.max;
+  if (!is_finite(centre_)) centre_ = Vec3(0);
+  const double size = std::max(largest(all.min), largest(all.max));
+  slack_ = static_cast<float>(0x1p-21 * largest(all.max - centre_) + 0x1p-40 * size);
+  references_.reserve(count);
+}
+
+Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads) {
+  Bvh result;
+  result.centre = items.centre_;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.centre_error[axis] = static_cast<float>(0x1p-44 * std::abs(result.centre[axis]));
+  }
+  result.slack = items.slack_;
+  if (items.references_.empty()) return result;
+  result.nodes = Builder(items.references_, leaves, threads).build();
+  result.order.reserve(items.references_.size());
+  for (const BoxReference& reference : items.references_) result.order.push_back(reference.item());
+  return result;
+}
+
+Bvh build_bvh(std::span<const Bounds> boxes, std::uint32_t max_leaf) {
+  Bounds all;
+  for (const Bounds& b : boxes) all.add(b);
+  BvhItems items(all, boxes.size());
+  for (const Bounds& b : boxes) items.add(b);
+  SpareThreads none(0);
+  return build_bvh(std::move(items), {1, max_leaf, 1}, none);
 }
 
 }  // namespace trace

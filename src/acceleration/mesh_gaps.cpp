@@ -12,7 +12,7 @@ bool MeshGaps::counts(const MeshGap& gap) const {
   });
 }
 
-const MeshGap* MeshGaps::nearest() {
+const MeshGap* MeshGaps::nearest() const {
   const MeshGap* best = nullptr;
   for (const MeshGap& gap : gaps_) {
     const bool nearer =

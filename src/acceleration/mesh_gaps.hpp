@@ -25,7 +25,7 @@ class MeshGaps {
   void add(const MeshGap& gap) { gaps_.push_back(gap); }
 
   // The nearest that counts, of those at the same t the first in the file; null for none.
-  const MeshGap* nearest();
+  const MeshGap* nearest() const;
 
  private:
   bool counts(const MeshGap& gap) const;

@@ -1,27 +1,42 @@
 #include "acceleration/mesh_tree.hpp"
 
+#include "acceleration/bvh_build.hpp"
 #include "acceleration/mesh_gaps.hpp"
 
 namespace trace {
 namespace {
 
-constexpr std::uint32_t max_leaf = 4;
+constexpr LeafSizes leaf_sizes{2, 4, 1};
+
+Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, SpareThreads& threads) {
+  BvhItems items(bounds, mesh.faces.size());
+  for (const FaceCorners& f : mesh.faces) {
+    const DoubleLanes a = DoubleLanes::load(mesh.points[f[0]]), b = DoubleLanes::load(mesh.points[f[1]]),
+                      c = DoubleLanes::load(mesh.points[f[2]]);
+    items.add(min(a, min(b, c)), max(a, max(b, c)));
+  }
+  return build_bvh(std::move(items), leaf_sizes, threads);
+}
 
 }  // namespace
 
+MeshTree::MeshTree(const Mesh& mesh, SpareThreads& threads) : mesh_(&mesh) {
+  build(threads);
+}
+
 MeshTree::MeshTree(const Mesh& mesh) : mesh_(&mesh) {
-  const Bounds bounds = mesh.bounds();
+  SpareThreads none(0);
+  build(none);
+}
+
+void MeshTree::build(SpareThreads& threads) {
+  const Bounds bounds = mesh_->bounds();
   centre_ = 0.5 * bounds.min + 0.5 * bounds.max;
   radius_ = sum_of_sizes(bounds.max - centre_);
-
-  std::vector<Bounds> boxes(mesh.faces.size());
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-    for (const std::uint32_t corner : mesh.faces[face]) boxes[face].add(mesh.points[corner]);
-  }
-  bvh_ = build_bvh(boxes, max_leaf);
-  faces_ = std::move(bvh_.order);
-  triangles_.reserve(faces_.size());
-  for (const std::uint32_t face : faces_) triangles_.push_back(mesh.triangle(face));
+  bvh_ = hierarchy_of(*mesh_, bounds, threads);
+  faces_.reserve(bvh_.order.size());
+  for (const std::uint32_t face : bvh_.order) faces_.push_back({mesh_->faces[face], face});
+  bvh_.order = {};
 }
 
 bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const {
@@ -34,14 +49,14 @@ bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) c
       TriangleHit candidate;
       const Meeting meeting = meet(i, ray, reach, best.t, candidate);
       if (meeting == Meeting::none || candidate.t > best.t) continue;
-      if (meeting == Meeting::hit && candidate.t == best.t && faces_[i] > best_face) continue;
+      if (meeting == Meeting::hit && candidate.t == best.t && faces_[i].face > best_face) continue;
       if (cull && is_from_behind(i, ray)) continue;
       if (meeting != Meeting::hit) {
-        gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, is_from_behind(i, ray)});
+        gaps.add({candidate, faces_[i].face, meeting == Meeting::edge_gap, is_from_behind(i, ray)});
         continue;
       }
       best = candidate;
-      best_face = faces_[i];
+      best_face = faces_[i].face;
     }
     return best.t < current ? best.t : current;
   });
@@ -72,7 +87,7 @@ bool MeshTree::occludes(const Ray& ray, double scale, double limit) const {
                  found = true;
                  return -1.0;
                }
-               gaps.add({candidate, faces_[i], meeting == Meeting::edge_gap, is_from_behind(i, ray)});
+               gaps.add({candidate, faces_[i].face, meeting == Meeting::edge_gap, is_from_behind(i, ray)});
              }
              return current;
            });

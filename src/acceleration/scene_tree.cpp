@@ -1,11 +1,15 @@
 #include "acceleration/scene_tree.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <thread>
+
+#include "acceleration/bvh_build.hpp"
 
 namespace trace {
 namespace {
 
-constexpr std::uint32_t max_leaf = 2;
+constexpr LeafSizes leaf_sizes{1, 2, 1};
 constexpr std::size_t max_unsorted = 3;  // so few objects are sooner tested than sorted
 
 // The world ray in the space of one object after another; objects of the same frame share the work.
@@ -30,15 +34,18 @@ class FrameRays {
 
 }  // namespace
 
-SceneTree::SceneTree(const Scene& scene) : scene_(scene) {
+SceneTree::SceneTree(const Scene& scene, unsigned threads) : scene_(scene) {
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  SpareThreads spare(threads - 1);
   if (scene.objects.size() > max_unsorted) {
-    std::vector<Bounds> boxes;
-    boxes.reserve(scene.objects.size());
-    for (const Object& object : scene.objects) boxes.push_back(object.bounds);
-    bvh_ = build_bvh(boxes, max_leaf);
+    Bounds all;
+    for (const Object& object : scene.objects) all.add(object.bounds);
+    BvhItems items(all, scene.objects.size());
+    for (const Object& object : scene.objects) items.add(object.bounds);
+    bvh_ = build_bvh(std::move(items), leaf_sizes, spare);
   }
   meshes_.reserve(scene.meshes.size());
-  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry);
+  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, spare);
 }
 
 template <class Leaf>

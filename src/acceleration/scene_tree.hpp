@@ -19,8 +19,9 @@ struct Hit {
 
 class SceneTree {
  public:
-  // Refers to `scene`, which must outlive it.
-  explicit SceneTree(const Scene& scene);
+  // Refers to `scene`, which must outlive it. Built by so many threads; 0: as many as the machine has. What
+  // is built does not depend on it.
+  explicit SceneTree(const Scene& scene, unsigned threads = 0);
 
   // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen
   // from behind are passed over.
@@ -29,7 +30,7 @@ class SceneTree {
   // Whether anything is hit nearer than `limit`; no culling.
   bool occluded(const Ray& ray, double limit) const;
 
-  // For packets (acceleration/packet): a handful of objects is a list without a hierarchy.
+  // What searching it in other ways takes. A handful of objects is a list, which is tested as a whole.
   bool is_list() const { return bvh_.nodes.empty(); }
   const Bvh& bvh() const { return bvh_; }
   // The object at a place in the order of the leaves, or of the list.
@@ -42,7 +43,7 @@ class SceneTree {
   void visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const;
 
   const Scene& scene_;
-  Bvh bvh_;                       // empty for a handful of objects, which are all tested
+  Bvh bvh_;
   std::vector<MeshTree> meshes_;  // as Scene::meshes
 };
 

@@ -1,4 +1,4 @@
-#include "acceleration/bvh.hpp"
+#include "acceleration/bvh_build.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "tests/hard/slab_cases.hpp"
 
-#include "acceleration/bvh.hpp"
+#include "acceleration/bvh_build.hpp"
 #include "tests/hard/batches.hpp"
 #include "tests/hard/textbook_slabs.hpp"
 

@@ -95,7 +95,7 @@ class ClosestFaces {
         going_ = without(going_, unsure);
         changed |= unsure;
       }
-      const Numbers number = mesh_.face(i);
+      const Numbers number = mesh_.faces()[i].face;
       nearer &= (candidate.t < best.t) | ((candidate.t == best.t) & (number < face));
       if (none(nearer)) continue;
       if (cull_) {

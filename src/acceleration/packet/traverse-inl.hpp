@@ -22,7 +22,7 @@ namespace trace::HWY_NAMESPACE {
 
 using FloatTag = hn::Rebind<float, Tag>;
 using Floats = hn::Vec<FloatTag>;
-using BoxTag = hn::CappedTag<float, bvh_width>;
+using BoxTag = hn::CappedTag<float, static_cast<std::size_t>(bvh_width)>;
 
 HWY_INLINE Floats floats_of(const Numbers& n) {
   return hn::DemoteTo(FloatTag(), n.v);
@@ -71,7 +71,7 @@ class PacketRays {
   HWY_INLINE unsigned touch_any(const BvhNode& node, float limit, float (&enter_at)[bvh_width]) const {
     const BoxTag b;
     unsigned result = 0;
-    for (std::size_t i = 0; i < bvh_width; i += hn::Lanes(b)) {
+    for (std::size_t i = 0; i < std::size_t{bvh_width}; i += hn::Lanes(b)) {
       auto enter = hn::Zero(b), leave = hn::Set(b, limit);
       for (int axis = 0; axis < 3; ++axis) {
         const float* near = negative_[axis] ? node.high[axis] : node.low[axis];

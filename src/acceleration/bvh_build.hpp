@@ -1,0 +1,48 @@
+// How hierarchies are built.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "acceleration/bvh.hpp"
+#include "acceleration/bvh_reference.hpp"
+#include "acceleration/spare_threads.hpp"
+
+namespace trace {
+
+// Ranges up to `always` are leaves; up to `most` (1 to 255) they are if that costs no more than two halves
+// and the test of their boxes, `boxes`, in units of one item's test.
+struct LeafSizes {
+  std::uint32_t always = 1;
+  std::uint32_t most = 4;
+  float boxes = 1;
+};
+
+// References to items of which each has a box, and the space they are in.
+class BvhItems {
+ public:
+  // `all` encloses the items, of which there will be `count`.
+  BvhItems(const Bounds& all, std::size_t count);
+
+  void add(const DoubleLanes& low, const DoubleLanes& high) {
+    references_.push_back(
+        outward(static_cast<std::uint32_t>(references_.size()), low, high, DoubleLanes::load(centre_)));
+  }
+  void add(const Bounds& b) { add(DoubleLanes::load(b.min), DoubleLanes::load(b.max)); }
+
+ private:
+  friend Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads);
+
+  std::vector<BoxReference> references_;
+  Vec3 centre_{0};
+  float slack_ = 0;
+};
+
+// Top down by split() (bvh_split.hpp), of a node's children the one with the largest surface first. The
+// hierarchy depends on the items alone, not on the number of threads.
+Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads);
+
+// The same of a list of boxes on one thread.
+Bvh build_bvh(std::span<const Bounds> boxes, std::uint32_t max_leaf);
+
+}  // namespace trace

@@ -1,0 +1,36 @@
+// Where to split a range of items in two, and whether: the binned surface-area heuristic (Wald, "On fast
+// Construction of SAH-based Bounding Volume Hierarchies", 2007).
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "acceleration/bvh_build.hpp"
+#include "acceleration/bvh_reference.hpp"
+#include "acceleration/spare_threads.hpp"
+
+namespace trace {
+
+// A run of references with the box around them and the box of their boxes' centres.
+struct BvhRange {
+  FloatBox box, centres;
+  std::uint32_t first = 0, last = 0;
+  int depth = 0;  // splits above
+
+  std::uint32_t size() const { return last - first; }
+};
+
+// [first, last) with its boxes.
+BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t first, std::uint32_t last,
+                     int depth);
+
+struct BvhHalves {
+  BvhRange left, right;
+};
+
+// Reorders the references of `range` so that both halves are runs; none where a leaf costs less. The result
+// depends on the references alone.
+std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRange& range,
+                               const LeafSizes& leaves, SpareThreads& threads);
+
+}  // namespace trace
