@@ -28,12 +28,13 @@ void render_pixels(FrameRenderer& frame, Image& image) {
   });
 }
 
-// Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by two.
+// Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by four, whose halves
+// are compact too.
 template <class Visit>
 void for_each_in_blocks(int x0, int y0, int x1, int y1, Visit&& visit) {
-  for (int top = y0; top < y1; top += 2) {
+  for (int top = y0; top < y1; top += 4) {
     for (int left = x0; left < x1; left += 4) {
-      for (int j = top; j < std::min(top + 2, y1); ++j) {
+      for (int j = top; j < std::min(top + 4, y1); ++j) {
         for (int i = left; i < std::min(left + 4, x1); ++i) visit(i, j);
       }
     }

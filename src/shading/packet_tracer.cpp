@@ -12,7 +12,6 @@ namespace trace::HWY_NAMESPACE {
 void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, int depth,
                  SampleBatch& batch, RayCounts& sum) {
   const PacketScene world{scene, tree, options};
-  const Tag d;
   Rays rays;
   rays.origin = Vectors(scene.camera.eye);
   rays.origin_error = rays.least_t = 0.0;
@@ -20,8 +19,7 @@ void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions
   LaneCounts total{0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < batch.count; i += lanes) {
     const Mask active = first_lanes(std::min(lanes, batch.count - i));
-    rays.direction =
-        normalized(Vectors(hn::Load(d, batch.x + i), hn::Load(d, batch.y + i), hn::Load(d, batch.z + i)));
+    rays.direction = normalized(Vectors(load(batch.x + i), load(batch.y + i), load(batch.z + i)));
     LaneCounts counts{0.0, 0.0, 0.0};
     Mask odd = no_lanes();
     Seen seen;
@@ -31,19 +29,16 @@ void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions
     total.reflected += where(good, counts.reflected);
     total.refracted += where(good, counts.refracted);
     total.shadow += where(good, counts.shadow);
-    hn::Store(seen.color.x.v, d, batch.red + i);
-    hn::Store(seen.color.y.v, d, batch.green + i);
-    hn::Store(seen.color.z.v, d, batch.blue + i);
+    store(seen.color.x, batch.red + i);
+    store(seen.color.y, batch.green + i);
+    store(seen.color.z, batch.blue + i);
     const unsigned bits = bits_of(odd);
     for (std::size_t k = 0; k < lanes; ++k) batch.left_out[i + k] = (bits >> k & 1) != 0;
   }
-  const auto counted = [](const Numbers& n) HWY_ATTR {
-    return static_cast<std::uint64_t>(hn::GetLane(hn::SumOfLanes(Tag(), n.v)));
-  };
-  sum.primary += counted(primary);
-  sum.reflected += counted(total.reflected);
-  sum.refracted += counted(total.refracted);
-  sum.shadow += counted(total.shadow);
+  sum.primary += static_cast<std::uint64_t>(sum_of_lanes(primary));
+  sum.reflected += static_cast<std::uint64_t>(sum_of_lanes(total.reflected));
+  sum.refracted += static_cast<std::uint64_t>(sum_of_lanes(total.refracted));
+  sum.shadow += static_cast<std::uint64_t>(sum_of_lanes(total.shadow));
 }
 
 }  // namespace trace::HWY_NAMESPACE

@@ -61,6 +61,27 @@ HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& act
   return without(left, open) & (hits.t > rays.least_t);
 }
 
+// meets_after_all() for the lanes `unsure`, which are added to `hits` or to `gaps`.
+HWY_NOINLINE void meet_after_all(const Corners& corners, const Rays& rays, const Mask& unsure,
+                                 TriangleHits& hits, Mask& hit, Mask& gaps) {
+  const RayLanes one(rays);
+  Lanes t(hits.t), u(hits.u), v(hits.v);
+  unsigned found = 0, gap = 0;
+  for (unsigned left = bits_of(unsure); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+    TriangleHit result{0, 0, 0};
+    const Meeting meeting = meets_after_all(corners, one[i], result);
+    if (meeting == Meeting::none) continue;
+    (meeting == Meeting::hit ? found : gap) |= 1u << i;
+    t.at[i] = result.t;
+    u.at[i] = result.u;
+    v.at[i] = result.v;
+  }
+  hits = {t.numbers(), u.numbers(), v.numbers()};
+  hit |= mask_of(found);
+  gaps = mask_of(gap);
+}
+
 // Of the lanes, the furthest way from an origin to a corner of the mesh.
 HWY_INLINE double reach_of(const MeshTree& mesh, const Rays& rays, const Mask& active) {
   return largest_lane(active, sum_of_sizes(rays.origin - Vectors(mesh.centre())), 0.0) + mesh.radius();
@@ -91,9 +112,12 @@ class ClosestFaces {
       Mask unsure;
       Mask nearer = meet(triangle, rays_, asked, reach_, best.t, candidate, unsure);
       if (any(unsure)) {
-        unusual |= unsure;
-        going_ = without(going_, unsure);
-        changed |= unsure;
+        Mask gaps;
+        meet_after_all(mesh_.corners(i), rays_, unsure, candidate, nearer, gaps);
+        gaps = without(gaps, candidate.t > best.t);
+        unusual |= gaps;
+        going_ = without(going_, gaps);
+        changed |= gaps;
       }
       const Numbers number = mesh_.faces()[i].face;
       nearer &= (candidate.t < best.t) | ((candidate.t == best.t) & (number < face));
@@ -146,11 +170,16 @@ class AnyFaces {
       const Mask asked = mask_of(touching) & going_;
       TriangleHits candidate;
       Mask unsure;
-      const Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, candidate, unsure);
-      const Mask hit = met & (candidate.t / scale_ < limit_);
+      Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, candidate, unsure);
+      Mask gaps = no_lanes();
+      if (any(unsure)) meet_after_all(mesh_.corners(i), rays_, unsure, candidate, met, gaps);
+      if (none(met | gaps)) continue;
+      const Mask within = candidate.t / scale_ < limit_;
+      const Mask hit = met & within;
+      gaps &= within;
       found |= hit;
-      unusual |= unsure;
-      going_ = without(going_, hit | unsure);
+      unusual |= gaps;
+      going_ = without(going_, hit | gaps);
     }
     return any(without(before, going_));
   }

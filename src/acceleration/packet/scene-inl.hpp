@@ -50,7 +50,13 @@ class ClosestObjects {
  public:
   HWY_INLINE ClosestObjects(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
                             bool cull)
-      : scene_(scene), tree_(tree), rays_(rays), frames_(scene, rays), cull_(cull), going_(active) {
+      : scene_(scene),
+        tree_(tree),
+        rays_(rays),
+        inverse_(rays),
+        frames_(scene, rays),
+        cull_(cull),
+        going_(active) {
     best.t = std::numeric_limits<double>::infinity();
     best.object = 0.0;
     best.local = {0.0, Vectors(0.0, 0.0, 1.0), 0.0, 0.0, 0.0};
@@ -62,7 +68,7 @@ class ClosestObjects {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const std::uint32_t id = tree_.object_at(i);
       const Object& object = scene_.objects[id];
-      const Mask asked = hit_bounds(object.bounds, rays_, mask_of(touching) & going_);
+      const Mask asked = hit_bounds(object.bounds, rays_, inverse_, mask_of(touching) & going_);
       if (none(asked)) continue;
       const ObjectRays& local = frames_.in(object.frame);
       LocalHits hits;
@@ -105,6 +111,7 @@ class ClosestObjects {
   const Scene& scene_;
   const SceneTree& tree_;
   const Rays& rays_;
+  Reciprocals inverse_;
   FramePackets frames_;
   bool cull_;
   Mask going_;
@@ -121,6 +128,7 @@ class AnyObjects {
       : scene_(scene),
         tree_(tree),
         rays_(rays),
+        inverse_(rays),
         frames_(scene, rays),
         limit_(limit),
         going_(active),
@@ -131,7 +139,7 @@ class AnyObjects {
     const Mask before = going_;
     for (std::uint32_t i = first; i < first + count; ++i) {
       const Object& object = scene_.objects[tree_.object_at(i)];
-      const Mask asked = hit_bounds(object.bounds, rays_, mask_of(touching) & going_);
+      const Mask asked = hit_bounds(object.bounds, rays_, inverse_, mask_of(touching) & going_);
       if (none(asked)) continue;
       const ObjectRays& local = frames_.in(object.frame);
       Mask odd = asked & local.unusual;
@@ -169,6 +177,7 @@ class AnyObjects {
   const Scene& scene_;
   const SceneTree& tree_;
   const Rays& rays_;
+  Reciprocals inverse_;
   FramePackets frames_;
   Numbers limit_;
   Mask going_;

@@ -20,12 +20,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
-using FloatTag = hn::Rebind<float, Tag>;
+using FloatTag = hn::ScalableTag<float>;  // as many lanes as Numbers
 using Floats = hn::Vec<FloatTag>;
 using BoxTag = hn::CappedTag<float, static_cast<std::size_t>(bvh_width)>;
 
 HWY_INLINE Floats floats_of(const Numbers& n) {
-  return hn::DemoteTo(FloatTag(), n.v);
+  const hn::Half<FloatTag> h;
+  return hn::Combine(FloatTag(), hn::DemoteTo(h, n.high), hn::DemoteTo(h, n.low));
+}
+HWY_INLINE unsigned bits_of(const hn::Mask<FloatTag>& m) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(FloatTag(), m, bytes);
+  return bytes[0] | static_cast<unsigned>(bytes[1]) << 8;
 }
 
 HWY_INLINE float smallest_float(Floats v) {
@@ -101,9 +107,7 @@ class PacketRays {
       enter = hn::Max(hn::Mul(hn::Sub(hn::Set(f, near), near_origin_[axis]), near_inverse_[axis]), enter);
       leave = hn::Min(hn::Mul(hn::Sub(hn::Set(f, far), far_origin_[axis]), far_inverse_[axis]), leave);
     }
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(f, hn::Le(enter, leave), bytes);
-    return bytes[0];
+    return bits_of(hn::Le(enter, leave));
   }
 
  private:
@@ -178,12 +182,8 @@ HWY_INLINE void traverse_alike(const Bvh& bvh, const Rays& rays, unsigned some, 
 template <class Leaf>
 HWY_INLINE void traverse(const Bvh& bvh, const Rays& rays, const Mask& active, Leaf& leaf) {
   if (bvh.nodes.empty()) return;
-  const Tag d;
-  const Numbers zero = 0.0, one = 1.0;
-  const unsigned signs[3] = {bits_of(Numbers(hn::CopySign(one.v, rays.direction.x.v)) < zero),
-                             bits_of(Numbers(hn::CopySign(one.v, rays.direction.y.v)) < zero),
-                             bits_of(Numbers(hn::CopySign(one.v, rays.direction.z.v)) < zero)};
-  (void)d;
+  const unsigned signs[3] = {bits_of(is_negative(rays.direction.x)), bits_of(is_negative(rays.direction.y)),
+                             bits_of(is_negative(rays.direction.z))};
   for (unsigned left = bits_of(active); left != 0;) {
     const int first = __builtin_ctz(left);
     unsigned alike = left;

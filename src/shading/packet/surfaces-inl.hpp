@@ -30,15 +30,17 @@ struct Materials {
         shininess(luminance(m.shininess)) {}
 };
 
-HWY_INLINE void assign(const Mask& m, const Materials& from, Materials& to) {
-  to.emissive = select(m, from.emissive, to.emissive);
-  to.ambient = select(m, from.ambient, to.ambient);
-  to.diffuse = select(m, from.diffuse, to.diffuse);
-  to.specular = select(m, from.specular, to.specular);
-  to.reflective = select(m, from.reflective, to.reflective);
-  to.transmissive = select(m, from.transmissive, to.transmissive);
-  to.index = select(m, from.index, to.index);
-  to.shininess = select(m, from.shininess, to.shininess);
+HWY_INLINE Materials select(const Mask& m, const Materials& yes, const Materials& no) {
+  Materials result;
+  result.emissive = select(m, yes.emissive, no.emissive);
+  result.ambient = select(m, yes.ambient, no.ambient);
+  result.diffuse = select(m, yes.diffuse, no.diffuse);
+  result.specular = select(m, yes.specular, no.specular);
+  result.reflective = select(m, yes.reflective, no.reflective);
+  result.transmissive = select(m, yes.transmissive, no.transmissive);
+  result.index = select(m, yes.index, no.index);
+  result.shininess = select(m, yes.shininess, no.shininess);
+  return result;
 }
 
 struct VectorLanes {
@@ -134,10 +136,10 @@ HWY_INLINE Numbers distance_of_face(const Faces& face, const Vectors& normal, co
   return (abs(dot(from_a, normal)) + error) / sqrt(dot(normal, normal));
 }
 
-// Fills the lanes `some`, which all hit `object`. `unusual` gets those whose surface only the scalar code can
-// tell.
-HWY_INLINE void fill(const Scene& scene, const Object& object, const LocalHits& local, const Mask& some,
-                     bool smooth, Surfaces& result, Mask& unusual) {
+// The surfaces of the lanes `some`, which all hit `object` at `result.point`; but for the point what is
+// filled in for other lanes does not count. `unusual` gets those whose surface only the scalar code can tell.
+HWY_NOINLINE void fill(const Scene& scene, const Object& object, const LocalHits& local, const Mask& some,
+                       bool smooth, Surfaces& result, Mask& unusual) {
   const Frame& frame = scene.frames[object.frame];
   const MappedMaterial& material = scene.materials[object.material];
   const Vectors p = point_times(frame.to_object, result.point);
@@ -157,7 +159,7 @@ HWY_INLINE void fill(const Scene& scene, const Object& object, const LocalHits& 
       differs = true;
     }
     if (mesh.materials.empty()) {
-      assign(some, Materials(material.values), result.material);
+      result.material = Materials(material.values);
     } else {
       MaterialLanes own;
       const Lanes u(local.u), v(local.v);
@@ -165,7 +167,7 @@ HWY_INLINE void fill(const Scene& scene, const Object& object, const LocalHits& 
         const auto i = static_cast<std::size_t>(__builtin_ctz(left));
         own.set(i, mesh.material_at(static_cast<std::uint32_t>(part.at[i]), Vec2(u.at[i], v.at[i])));
       }
-      assign(some, own.materials(), result.material);
+      result.material = own.materials();
     }
   } else {
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
@@ -189,19 +191,17 @@ HWY_INLINE void fill(const Scene& scene, const Object& object, const LocalHits& 
         const auto i = static_cast<std::size_t>(__builtin_ctz(left));
         own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
       }
-      assign(some, own.materials(), result.material);
+      result.material = own.materials();
     } else {
-      assign(some, Materials(material.values), result.material);
+      result.material = Materials(material.values);
     }
   }
   Mask odd = no_lanes();
-  const Vectors world = world_normals(frame, normal, odd);
-  result.normal = select(some, world, result.normal);
+  result.normal = world_normals(frame, normal, odd);
   // Where both are the same, so are the results.
-  result.facing = select(some, differs ? world_normals(frame, facing, odd) : world, result.facing);
-  const Numbers height =
+  result.facing = differs ? world_normals(frame, facing, odd) : result.normal;
+  result.height =
       frame.to_world_stretch * (distance_to_surface + bound_at(frame.error_bound(), largest(result.point)));
-  result.height = select(some, height, result.height);
   unusual |= some & odd;
 }
 
@@ -210,12 +210,26 @@ HWY_NOINLINE void surfaces_of(const Scene& scene, const Rays& rays, const Hits& 
                               bool smooth, Surfaces& result, Mask& unusual) {
   result.point = rays.at(hits.t);
   const Lanes objects(hits.object);
-  for (unsigned left = bits_of(hit); left != 0;) {
-    const auto first = static_cast<std::size_t>(__builtin_ctz(left));
-    const Mask same = hit & (hits.object == Numbers(objects.at[first]));
+  unsigned left = bits_of(hit);
+  const auto next_object = [&]() HWY_ATTR {
+    return static_cast<std::size_t>(objects.at[static_cast<std::size_t>(__builtin_ctz(left))]);
+  };
+  // Mostly all of a packet hit the same object.
+  for (bool first = true; left != 0; first = false) {
+    const std::size_t id = next_object();
+    const Mask same = hit & (hits.object == Numbers(static_cast<double>(id)));
     left &= ~bits_of(same);
-    fill(scene, scene.objects[static_cast<std::size_t>(objects.at[first])], hits.local, same, smooth, result,
-         unusual);
+    if (first) {
+      fill(scene, scene.objects[id], hits.local, same, smooth, result, unusual);
+      continue;
+    }
+    Surfaces other;
+    other.point = result.point;
+    fill(scene, scene.objects[id], hits.local, same, smooth, other, unusual);
+    result.normal = select(same, other.normal, result.normal);
+    result.facing = select(same, other.facing, result.facing);
+    result.height = select(same, other.height, result.height);
+    result.material = select(same, other.material, result.material);
   }
   result.point_error =
       result.height / greater_of(abs(dot(result.facing, rays.direction)), Numbers(least_cosine));
