@@ -1,12 +1,15 @@
 #include "acceleration/mesh_tree.hpp"
 
+#include <algorithm>
+
 #include "acceleration/bvh_build.hpp"
-#include "acceleration/mesh_gaps.hpp"
+#include "acceleration/mesh_kernels.hpp"
 
 namespace trace {
 namespace {
 
-constexpr LeafSizes leaf_sizes{2, 4, 1};
+constexpr LeafSizes leaf_sizes{4, bvh_width, 1};
+constexpr std::size_t nodes_a_run = 4096;
 
 Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, SpareThreads& threads) {
   BvhItems items(bounds, mesh.faces.size());
@@ -20,11 +23,12 @@ Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, SpareThreads& threads) 
 
 }  // namespace
 
-MeshTree::MeshTree(const Mesh& mesh, SpareThreads& threads) : mesh_(&mesh) {
+MeshTree::MeshTree(const Mesh& mesh, InstructionSet set, SpareThreads& threads)
+    : mesh_(&mesh), kernels_(&mesh_kernels(set)) {
   build(threads);
 }
 
-MeshTree::MeshTree(const Mesh& mesh) : mesh_(&mesh) {
+MeshTree::MeshTree(const Mesh& mesh, InstructionSet set) : mesh_(&mesh), kernels_(&mesh_kernels(set)) {
   SpareThreads none(0);
   build(none);
 }
@@ -34,64 +38,40 @@ void MeshTree::build(SpareThreads& threads) {
   centre_ = 0.5 * bounds.min + 0.5 * bounds.max;
   radius_ = sum_of_sizes(bounds.max - centre_);
   bvh_ = hierarchy_of(*mesh_, bounds, threads);
-  faces_.reserve(bvh_.order.size());
-  for (const std::uint32_t face : bvh_.order) faces_.push_back({mesh_->faces[face], face});
+  sort_faces(threads);
   bvh_.order = {};
 }
 
-bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const {
-  TriangleHit best{std::numeric_limits<double>::infinity(), 0, 0};
-  std::uint32_t best_face = 0;
-  MeshGaps gaps;
-  const double reach = reach_to(ray.origin);
-  traverse(bvh_, BvhRay(bvh_, ray), limit, [&](std::uint32_t first, std::uint32_t count, double current) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      TriangleHit candidate;
-      const Meeting meeting = meet(i, ray, reach, best.t, candidate);
-      if (meeting == Meeting::none || candidate.t > best.t) continue;
-      if (meeting == Meeting::hit && candidate.t == best.t && faces_[i].face > best_face) continue;
-      if (cull && is_from_behind(i, ray)) continue;
-      if (meeting != Meeting::hit) {
-        gaps.add({candidate, faces_[i].face, meeting == Meeting::edge_gap, is_from_behind(i, ray)});
-        continue;
+void MeshTree::sort_faces(SpareThreads& threads) {
+  faces_.resize(bvh_.order.size());
+  filter_.values.resize(TriangleFilter::size_for(faces_.size()));
+  const std::size_t runs = (bvh_.nodes.size() + nodes_a_run - 1) / nodes_a_run;
+  threads.each(0, runs, [&](std::size_t run) {
+    const std::size_t end = std::min(bvh_.nodes.size(), (run + 1) * nodes_a_run);
+    for (std::size_t i = run * nodes_a_run; i < end; ++i) {
+      const BvhNode& node = bvh_.nodes[i];
+      for (int child = 0; child < bvh_width; ++child) {
+        const std::uint32_t first = node.child[child], count = node.count[child];
+        for (std::uint32_t place = 0; place < count; ++place) {
+          const std::uint32_t face = bvh_.order[first + place];
+          faces_[first + place] = {mesh_->faces[face], face};
+          filter_.set(first, count, place, mesh_->triangle(face), bvh_.centre);
+        }
       }
-      best = candidate;
-      best_face = faces_[i].face;
     }
-    return best.t < current ? best.t : current;
   });
-  // Where the course hits another face at the place of a gap, it is that face.
-  const MeshGap* gap = gaps.nearest();
-  hit.is_gap = gap && gap->hit.t < best.t && !same_place(best.t, gap->hit.t);
-  if (hit.is_gap) {
-    best = gap->hit;
-    best_face = gap->face;
-  }
-  hit.t = best.t;
-  hit.uv = Vec2(best.u, best.v);
-  hit.part = best_face;
-  return best.t < std::numeric_limits<double>::infinity();
+}
+
+bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const {
+  NearestFace search(*this, ray, cull);
+  kernels_->nearest(*this, ray, limit, search);
+  return search.result(hit);
 }
 
 bool MeshTree::occludes(const Ray& ray, double scale, double limit) const {
-  bool found = false;
-  const double reach = reach_to(ray.origin), furthest = limit * scale * (1 + gamma(2));
-  MeshGaps gaps;
-  traverse(bvh_, BvhRay(bvh_, ray), limit * scale,
-           [&](std::uint32_t first, std::uint32_t count, double current) {
-             for (std::uint32_t i = first; i < first + count; ++i) {
-               TriangleHit candidate;
-               const Meeting meeting = meet(i, ray, reach, furthest, candidate);
-               if (meeting == Meeting::none || !(candidate.t / scale < limit)) continue;
-               if (meeting == Meeting::hit) {
-                 found = true;
-                 return -1.0;
-               }
-               gaps.add({candidate, faces_[i].face, meeting == Meeting::edge_gap, is_from_behind(i, ray)});
-             }
-             return current;
-           });
-  return found || gaps.nearest() != nullptr;
+  AnyFace search(*this, ray, scale, limit);
+  kernels_->any(*this, ray, limit * scale, search);
+  return search.result();
 }
 
 }  // namespace trace

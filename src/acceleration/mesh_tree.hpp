@@ -5,10 +5,14 @@
 
 #include "acceleration/bvh.hpp"
 #include "acceleration/spare_threads.hpp"
+#include "acceleration/triangle_filter.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/rounding.hpp"
+#include "instruction_set/instruction_set.hpp"
 
 namespace trace {
+
+struct MeshKernels;
 
 // Its place in the list is its place in the order of the leaves.
 struct LeafFace {
@@ -19,8 +23,8 @@ struct LeafFace {
 class MeshTree {
  public:
   // Refers to `mesh`, which must outlive it.
-  MeshTree(const Mesh& mesh, SpareThreads& threads);
-  explicit MeshTree(const Mesh& mesh);
+  MeshTree(const Mesh& mesh, InstructionSet set, SpareThreads& threads);
+  explicit MeshTree(const Mesh& mesh, InstructionSet set = best_instruction_set());
 
   // The nearest face, of faces at the same t the first in the file, no further than about `limit`; ray and t
   // in the space of the mesh. With `cull`, faces seen from behind are passed over. The hit's part is the
@@ -34,6 +38,7 @@ class MeshTree {
   // What searching it in other ways takes: leaves of the hierarchy are runs of faces().
   const Bvh& bvh() const { return bvh_; }
   std::span<const LeafFace> faces() const { return faces_; }
+  const TriangleFilter& filter() const { return filter_; }
   Triangle triangle(std::uint32_t place) const { return Triangle(corners(place)); }
   Corners corners(std::uint32_t place) const {
     const FaceCorners& f = faces_[place].corners;
@@ -59,12 +64,15 @@ class MeshTree {
 
  private:
   void build(SpareThreads& threads);
+  void sort_faces(SpareThreads& threads);
 
   const Mesh* mesh_;
   Vec3 centre_;    // of the mesh's points
   double radius_;  // as a sum of sizes
   Bvh bvh_;        // without its order, which is that of faces_
   std::vector<LeafFace> faces_;
+  TriangleFilter filter_;
+  const MeshKernels* kernels_;
 };
 
 }  // namespace trace

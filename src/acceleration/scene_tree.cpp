@@ -34,7 +34,7 @@ class FrameRays {
 
 }  // namespace
 
-SceneTree::SceneTree(const Scene& scene, unsigned threads) : scene_(scene) {
+SceneTree::SceneTree(const Scene& scene, unsigned threads, InstructionSet set) : scene_(scene) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   SpareThreads spare(threads - 1);
   if (scene.objects.size() > max_unsorted) {
@@ -45,7 +45,7 @@ SceneTree::SceneTree(const Scene& scene, unsigned threads) : scene_(scene) {
     bvh_ = build_bvh(std::move(items), leaf_sizes, spare);
   }
   meshes_.reserve(scene.meshes.size());
-  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, spare);
+  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, set, spare);
 }
 
 template <class Leaf>

@@ -1,0 +1,207 @@
+#include "acceleration/mesh_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "acceleration/mesh_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace trace::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, bvh_width>;
+using Lanes = hn::Vec<Floats>;
+constexpr std::size_t lanes = hn::MaxLanes(Floats());
+
+HWY_INLINE unsigned bits_of(hn::Mask<Floats> mask) {
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(Floats(), mask, bits);
+  return bits[0];
+}
+
+// The ray in every lane.
+struct LaneRay {
+  Lanes near_origin[3], far_origin[3], near_inverse[3], far_inverse[3];
+  std::size_t near_plane[3], far_plane[3];  // in floats from the start of a node
+  Lanes origin[3], direction[3], reach;
+
+  HWY_INLINE LaneRay(const BvhRay& ray, const FilterRay& filter) {
+    const Floats d;
+    for (int axis = 0; axis < 3; ++axis) {
+      near_origin[axis] = hn::Set(d, ray.near_origin[axis]);
+      far_origin[axis] = hn::Set(d, ray.far_origin[axis]);
+      near_inverse[axis] = hn::Set(d, ray.near_inverse[axis]);
+      far_inverse[axis] = hn::Set(d, ray.far_inverse[axis]);
+      const std::size_t low = offsetof(BvhNode, low) / sizeof(float) + axis * bvh_width;
+      const std::size_t high = offsetof(BvhNode, high) / sizeof(float) + axis * bvh_width;
+      near_plane[axis] = ray.negative[axis] ? high : low;
+      far_plane[axis] = ray.negative[axis] ? low : high;
+      origin[axis] = hn::Set(d, filter.origin[axis]);
+      direction[axis] = hn::Set(d, filter.direction[axis]);
+    }
+    reach = hn::Set(d, filter.reach);
+  }
+};
+
+// A bit for each child whose box the ray meets up to `limit`, and where it enters them.
+HWY_INLINE unsigned meets_boxes(const LaneRay& ray, const BvhNode& node, float limit, float* distance) {
+  const Floats d;
+  const float* planes = &node.low[0][0];
+  unsigned bits = 0;
+  for (std::size_t first = 0; first < bvh_width; first += lanes) {
+    Lanes enter = hn::Zero(d), leave = hn::Set(d, limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Lanes near_plane = hn::Load(d, planes + ray.near_plane[axis] + first);
+      const Lanes far_plane = hn::Load(d, planes + ray.far_plane[axis] + first);
+      // NaN leaves the other: x86's minimum and maximum give their second operand.
+      enter = hn::Max(hn::Mul(hn::Sub(near_plane, ray.near_origin[axis]), ray.near_inverse[axis]), enter);
+      leave = hn::Min(hn::Mul(hn::Sub(far_plane, ray.far_origin[axis]), ray.far_inverse[axis]), leave);
+    }
+    hn::Store(enter, d, distance + first);
+    bits |= bits_of(hn::Le(enter, leave)) << first;
+  }
+  return bits;
+}
+
+HWY_INLINE Lanes dot(const Lanes* a, const Lanes* b) {
+  return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+}
+
+HWY_INLINE void cross(const Lanes* a, const Lanes* b, Lanes* result) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    result[axis] = hn::MulSub(a[i], b[j], hn::Mul(a[j], b[i]));
+  }
+}
+
+// A bit for each triangle of a leaf that the filter does not reject (triangle_filter.hpp).
+HWY_INLINE unsigned meets_triangles(const LaneRay& ray, const float* filter, std::uint32_t count,
+                                    float furthest) {
+  const Floats d;
+  unsigned bits = 0;
+  for (std::size_t first = 0; first < bvh_width; first += lanes) {
+    if (first >= count) break;
+    const auto run = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, filter + i * count + first); };
+    const Lanes ab[3] = {run(3), run(4), run(5)}, ac[3] = {run(6), run(7), run(8)};
+    const Lanes from_a[3] = {hn::Sub(ray.origin[0], run(0)), hn::Sub(ray.origin[1], run(1)),
+                             hn::Sub(ray.origin[2], run(2))};
+    const Lanes size = run(9);
+    const Lanes bound = hn::Mul(hn::Mul(hn::Set(d, 64 * 0x1p-24f), size), hn::Add(ray.reach, size));
+    Lanes p[3], q[3];
+    cross(ray.direction, ac, p);
+    cross(from_a, ab, q);
+    const Lanes determinant = dot(ab, p);
+    const Lanes sign = hn::And(determinant, hn::Set(d, -0.0f));
+    const Lanes whole = hn::Xor(determinant, sign);
+    const Lanes u = hn::Xor(dot(from_a, p), sign), v = hn::Xor(dot(ray.direction, q), sign);
+    const Lanes t = hn::Xor(dot(ac, q), sign);
+    const Lanes below = hn::Neg(bound), above = hn::Add(whole, bound);
+    const auto beside = hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Gt(hn::Add(u, v), above));
+    const auto before_or_beyond =
+        hn::Or(hn::Lt(t, hn::Mul(below, size)),
+               hn::Gt(t, hn::MulAdd(hn::Set(d, furthest), above, hn::Mul(bound, size))));
+    const auto missed = hn::And(hn::Gt(whole, bound), hn::Or(beside, before_or_beyond));
+    bits |= bits_of(hn::Not(missed)) << first;
+  }
+  return bits & ((1u << count) - 1);
+}
+
+struct Entry {
+  float t;
+  std::uint32_t index;
+  std::uint32_t count;
+};
+
+template <class Search>
+HWY_INLINE void search_mesh(const MeshTree& tree, const Ray& world, double limit, Search& search) {
+  const Bvh& bvh = tree.bvh();
+  if (bvh.nodes.empty()) return;
+  const FilterRay filter(bvh.centre, world, search.reach());
+  const LaneRay ray(BvhRay(bvh, world), filter);
+  const BvhNode* nodes = bvh.nodes.data();
+  const float* triangles = tree.filter().values.data();
+  // A visit takes one entry and adds at most eight.
+  Entry stack[(bvh_width - 1) * max_bvh_depth + bvh_width];
+  Entry* top = stack;
+  Entry entry{0, 0, 0};
+  float box_limit = upper_limit(bvh, limit), furthest = filter.furthest(limit);
+  for (;;) {
+    while (entry.count == 0) {
+      const BvhNode& node = nodes[entry.index];
+      alignas(32) float distance[bvh_width];
+      unsigned bits = meets_boxes(ray, node, box_limit, distance);
+      if (bits == 0) break;
+      const auto child = [&](int i) { return Entry{distance[i], node.child[i], node.count[i]}; };
+      entry = child(__builtin_ctz(bits));
+      bits &= bits - 1;
+      if (bits == 0) continue;
+      const Entry* base = top;
+      // The nearest is visited next, the others go on the stack, near ones on top.
+      do {
+        Entry next = child(__builtin_ctz(bits));
+        bits &= bits - 1;
+        if (next.t < entry.t) std::swap(next, entry);
+        Entry* at = top++;
+        for (; at > base && at[-1].t < next.t; --at) *at = at[-1];
+        *at = next;
+      } while (bits != 0);
+    }
+    if (entry.count != 0) {
+      unsigned bits =
+          meets_triangles(ray, triangles + TriangleFilter::floats * entry.index, entry.count, furthest);
+      if (bits != 0) {
+        do {
+          limit = search.test(entry.index + static_cast<std::uint32_t>(__builtin_ctz(bits)), limit);
+          if (limit < 0) return;
+          bits &= bits - 1;
+        } while (bits != 0);
+        box_limit = upper_limit(bvh, limit);
+        furthest = filter.furthest(limit);
+      }
+    }
+    do {
+      if (top == stack) return;
+      entry = *--top;
+    } while (entry.t > box_limit);
+  }
+}
+
+void nearest(const MeshTree& tree, const Ray& ray, double limit, NearestFace& search) {
+  search_mesh(tree, ray, limit, search);
+}
+
+void any(const MeshTree& tree, const Ray& ray, double limit, AnyFace& search) {
+  search_mesh(tree, ray, limit, search);
+}
+
+}  // namespace trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace trace {
+namespace {
+
+template <class Search>
+void one_by_one(const MeshTree& tree, const Ray& ray, double limit, Search& search) {
+  traverse(tree.bvh(), BvhRay(tree.bvh(), ray), limit,
+           [&](std::uint32_t first, std::uint32_t count, double current) {
+             for (std::uint32_t i = first; i < first + count && current >= 0; ++i) {
+               current = search.test(i, current);
+             }
+             return current;
+           });
+}
+
+constexpr MeshKernels kernels[] = {{one_by_one<NearestFace>, one_by_one<AnyFace>},
+                                   {N_SSE4::nearest, N_SSE4::any},
+                                   {N_AVX2::nearest, N_AVX2::any},
+                                   {N_AVX3::nearest, N_AVX3::any}};
+
+}  // namespace
+
+const MeshKernels& mesh_kernels(InstructionSet set) {
+  return kernels[static_cast<std::size_t>(set)];
+}
+
+}  // namespace trace
+#endif
