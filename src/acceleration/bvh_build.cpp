@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acceleration/bvh_split.hpp"
+#include "acceleration/parallel_each.hpp"
 #include "geometry/rounding.hpp"
 
 namespace trace {
@@ -19,7 +20,7 @@ struct Part {
 
 class Builder {
  public:
-  Builder(std::span<BoxReference> references, const LeafSizes& leaves, SpareThreads& threads)
+  Builder(std::span<BoxReference> references, const LeafSizes& leaves, ThreadBudget& threads)
       : references_(references), leaves_(leaves), threads_(threads) {}
 
   std::vector<BvhNode> build() {
@@ -103,7 +104,7 @@ class Builder {
     Children children;
     open(range, 3, children);
     std::vector<Part> parts(static_cast<std::size_t>(children.count));
-    threads_.each(0, parts.size(), [&](std::size_t i) {
+    parallel_each(threads_, 0, parts.size(), [&](std::size_t i) {
       if (!children.is_leaf[i]) children.is_leaf[i] = !subtree(children.ranges[i], parts[i]);
     });
     part.nodes.push_back(node_of(children));
@@ -174,7 +175,7 @@ class Builder {
 
   std::span<BoxReference> references_;
   const LeafSizes& leaves_;
-  SpareThreads& threads_;
+  ThreadBudget& threads_;
 };
 
 }  // namespace
@@ -187,7 +188,7 @@ BvhItems::BvhItems(const Bounds& all, std::size_t count) {
   references_.reserve(count);
 }
 
-Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads) {
+Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads) {
   Bvh result;
   result.centre = items.centre_;
   for (int axis = 0; axis < 3; ++axis) {
@@ -206,7 +207,7 @@ Bvh build_bvh(std::span<const Bounds> boxes, std::uint32_t max_leaf) {
   for (const Bounds& b : boxes) all.add(b);
   BvhItems items(all, boxes.size());
   for (const Bounds& b : boxes) items.add(b);
-  SpareThreads none(0);
+  ThreadBudget none(1);
   return build_bvh(std::move(items), {1, max_leaf, 1}, none);
 }
 

@@ -6,7 +6,7 @@
 
 #include "acceleration/bvh.hpp"
 #include "acceleration/bvh_reference.hpp"
-#include "acceleration/spare_threads.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 
@@ -31,7 +31,7 @@ class BvhItems {
   void add(const Bounds& b) { add(DoubleLanes::load(b.min), DoubleLanes::load(b.max)); }
 
  private:
-  friend Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads);
+  friend Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads);
 
   std::vector<BoxReference> references_;
   Vec3 centre_{0};
@@ -40,7 +40,7 @@ class BvhItems {
 
 // Top down by split() (bvh_split.hpp), of a node's children the one with the largest surface first. The
 // hierarchy depends on the items alone, not on the number of threads.
-Bvh build_bvh(BvhItems items, const LeafSizes& leaves, SpareThreads& threads);
+Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads);
 
 // The same of a list of boxes on one thread.
 Bvh build_bvh(std::span<const Bounds> boxes, std::uint32_t max_leaf);

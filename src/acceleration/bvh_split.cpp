@@ -68,7 +68,7 @@ struct Bins {
   }
 };
 
-Bins bins_of(std::span<const BoxReference> references, const BinScale& scale, SpareThreads& threads) {
+Bins bins_of(std::span<const BoxReference> references, const BinScale& scale, ThreadBudget& threads) {
   if (references.size() < parallel_size) return {references, scale};
   const std::size_t middle = references.size() / 2;
   std::optional<Bins> left, right;
@@ -174,7 +174,7 @@ BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t fir
 }
 
 std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRange& range,
-                               const LeafSizes& leaves, SpareThreads& threads) {
+                               const LeafSizes& leaves, ThreadBudget& threads) {
   const std::uint32_t count = range.size();
   if (count <= leaves.always) return std::nullopt;
   const BinScale scale(range);

@@ -7,7 +7,7 @@
 
 #include "acceleration/bvh_build.hpp"
 #include "acceleration/bvh_reference.hpp"
-#include "acceleration/spare_threads.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 
@@ -31,6 +31,6 @@ struct BvhHalves {
 // Reorders the references of `range` so that both halves are runs; none where a leaf costs less. The result
 // depends on the references alone.
 std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRange& range,
-                               const LeafSizes& leaves, SpareThreads& threads);
+                               const LeafSizes& leaves, ThreadBudget& threads);
 
 }  // namespace trace

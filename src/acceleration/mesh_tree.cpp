@@ -4,6 +4,7 @@
 
 #include "acceleration/bvh_build.hpp"
 #include "acceleration/mesh_kernels.hpp"
+#include "acceleration/parallel_each.hpp"
 
 namespace trace {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr LeafSizes leaf_sizes{4, bvh_width, 1};
 constexpr std::size_t nodes_a_run = 4096;
 
-Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, SpareThreads& threads) {
+Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, ThreadBudget& threads) {
   BvhItems items(bounds, mesh.faces.size());
   for (const FaceCorners& f : mesh.faces) {
     const DoubleLanes a = DoubleLanes::load(mesh.points[f[0]]), b = DoubleLanes::load(mesh.points[f[1]]),
@@ -23,17 +24,17 @@ Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, SpareThreads& threads) 
 
 }  // namespace
 
-MeshTree::MeshTree(const Mesh& mesh, InstructionSet set, SpareThreads& threads)
+MeshTree::MeshTree(const Mesh& mesh, InstructionSet set, ThreadBudget& threads)
     : mesh_(&mesh), kernels_(&mesh_kernels(set)) {
   build(threads);
 }
 
 MeshTree::MeshTree(const Mesh& mesh, InstructionSet set) : mesh_(&mesh), kernels_(&mesh_kernels(set)) {
-  SpareThreads none(0);
+  ThreadBudget none(1);
   build(none);
 }
 
-void MeshTree::build(SpareThreads& threads) {
+void MeshTree::build(ThreadBudget& threads) {
   const Bounds bounds = mesh_->bounds();
   centre_ = 0.5 * bounds.min + 0.5 * bounds.max;
   radius_ = sum_of_sizes(bounds.max - centre_);
@@ -42,11 +43,11 @@ void MeshTree::build(SpareThreads& threads) {
   bvh_.order = {};
 }
 
-void MeshTree::sort_faces(SpareThreads& threads) {
+void MeshTree::sort_faces(ThreadBudget& threads) {
   faces_.resize(bvh_.order.size());
   filter_.values.resize(TriangleFilter::size_for(faces_.size()));
   const std::size_t runs = (bvh_.nodes.size() + nodes_a_run - 1) / nodes_a_run;
-  threads.each(0, runs, [&](std::size_t run) {
+  parallel_each(threads, 0, runs, [&](std::size_t run) {
     const std::size_t end = std::min(bvh_.nodes.size(), (run + 1) * nodes_a_run);
     for (std::size_t i = run * nodes_a_run; i < end; ++i) {
       const BvhNode& node = bvh_.nodes[i];

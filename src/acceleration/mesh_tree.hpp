@@ -4,11 +4,11 @@
 #include <span>
 
 #include "acceleration/bvh.hpp"
-#include "acceleration/spare_threads.hpp"
 #include "acceleration/triangle_filter.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/rounding.hpp"
 #include "instruction_set/instruction_set.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 
@@ -23,7 +23,7 @@ struct LeafFace {
 class MeshTree {
  public:
   // Refers to `mesh`, which must outlive it.
-  MeshTree(const Mesh& mesh, InstructionSet set, SpareThreads& threads);
+  MeshTree(const Mesh& mesh, InstructionSet set, ThreadBudget& threads);
   explicit MeshTree(const Mesh& mesh, InstructionSet set = best_instruction_set());
 
   // The nearest face, of faces at the same t the first in the file, no further than about `limit`; ray and t
@@ -63,8 +63,8 @@ class MeshTree {
   }
 
  private:
-  void build(SpareThreads& threads);
-  void sort_faces(SpareThreads& threads);
+  void build(ThreadBudget& threads);
+  void sort_faces(ThreadBudget& threads);
 
   const Mesh* mesh_;
   Vec3 centre_;    // of the mesh's points

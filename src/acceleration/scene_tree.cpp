@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <thread>
 
 #include "acceleration/bvh_build.hpp"
 
@@ -34,18 +33,18 @@ class FrameRays {
 
 }  // namespace
 
-SceneTree::SceneTree(const Scene& scene, unsigned threads, InstructionSet set) : scene_(scene) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  SpareThreads spare(threads - 1);
+SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set) : scene_(scene) {
+  if (threads == 0) threads = hardware_threads();
+  ThreadBudget budget(threads);
   if (scene.objects.size() > max_unsorted) {
     Bounds all;
     for (const Object& object : scene.objects) all.add(object.bounds);
     BvhItems items(all, scene.objects.size());
     for (const Object& object : scene.objects) items.add(object.bounds);
-    bvh_ = build_bvh(std::move(items), leaf_sizes, spare);
+    bvh_ = build_bvh(std::move(items), leaf_sizes, budget);
   }
   meshes_.reserve(scene.meshes.size());
-  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, set, spare);
+  for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, set, budget);
 }
 
 template <class Leaf>

@@ -21,7 +21,7 @@ class SceneTree {
  public:
   // Refers to `scene`, which must outlive it. Built by so many threads; 0: as many as the machine has. What
   // is built does not depend on it.
-  explicit SceneTree(const Scene& scene, unsigned threads = 0, InstructionSet set = best_instruction_set());
+  explicit SceneTree(const Scene& scene, int threads = 0, InstructionSet set = best_instruction_set());
 
   // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen
   // from behind are passed over.
