@@ -35,6 +35,7 @@ class Group:
     anchor: Callable | None = None
     rounds: int = 5
     missing: str = ""  # why there is no anchor
+    of_process: bool = False  # needs the program trace alone, not bench_kernels of the build
 
 
 @dataclasses.dataclass
@@ -45,6 +46,8 @@ class Measured:
 
 def in_turns(group, build, other, quick):
     """Medians of `build` and of the other side, an anchor or a build, round by round. Who goes first changes."""
+    if not group.of_process and other is not None and not other.kernels:
+        return Measured({}, {})
     ours, others = [], []
     sides = [(lambda: group.sample(build), ours)]
     if other is not None:
@@ -64,9 +67,5 @@ def by_key(results):
 
 def ratio(ours, others):
     """Median of the rounds' ratios, and their spread; None where there is nothing to compare."""
-    if not ours or not others:
-        return None, 0.0
-    if len(ours) == len(others):
-        ratios = [a / b for a, b in zip(ours, others) if b]
-        return (samples.median(ratios), samples.spread(ratios)) if ratios else (None, 0.0)
-    return samples.median(ours) / samples.median(others), 0.0
+    ratios = [a / b for a, b in zip(ours or (), others or ()) if b]
+    return (samples.median(ratios), samples.spread(ratios)) if ratios else (None, None)

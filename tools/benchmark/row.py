@@ -13,7 +13,7 @@ class Row:
     ours: float | None
     anchor: float | None
     ratio: float | None        # ours / anchor, the median of the rounds
-    spread: float              # of that: the middle half of the rounds, as a part of it
+    spread: float | None       # of that: the middle half of the rounds, as a part of it
     more_is_better: bool
     goal: str = ""             # empty: none is set
     met: bool | None = None    # None: no goal, or nothing to judge by
@@ -34,7 +34,7 @@ def _row(group, line, ours, others, judged):
               samples.median(others) if others else None, *ratio(ours, others), line.more_is_better,
               line.goal.text(line.unit), digits=line.digits, place=line.place)
     if row.ours is None:
-        row.note = "not built"
+        row.note = "not in this build"
         return row
     if row.anchor is None and (group.missing or group.anchor):
         row.note = f"no anchor: {group.missing}" if group.missing else "no anchor"
@@ -49,4 +49,4 @@ def _row(group, line, ours, others, judged):
 
 
 def failed_row(stage, problem):
-    return Row(stage, "", "", None, None, None, 0.0, False, note=f"failed: {problem}")
+    return Row(stage, "", "", None, None, None, None, False, note=f"failed: {problem}")

@@ -8,12 +8,12 @@ def median(values):
 
 
 def spread(values):
-    """How far the middle half of the values lies apart, as a part of the median."""
-    if len(values) < 2:
-        return 0.0
+    """How far the middle half of the values lies apart, as a part of the median; None for fewer than three."""
+    if len(values) < 3:
+        return None
     low, _, high = statistics.quantiles(values, n=4, method="inclusive")
     middle = statistics.median(values)
-    return (high - low) / middle if middle else 0.0
+    return (high - low) / middle if middle else None
 
 
 def exponent(points):

@@ -2,7 +2,7 @@
 from . import samples
 
 HEADS = ("stage", "what", "ours", "anchor", "ratio", "goal", "met")
-HEADS_AGAINST = ("stage", "what", "before", "now", "now / before", "spread", "")
+HEADS_AGAINST = ("stage", "what", "before", "now", "now / before", "spread", "change")
 NOTABLE = 0.03  # smaller changes are not called any
 
 
@@ -22,17 +22,17 @@ def cells(row):
 
 
 def change(row):
-    """What a ratio of two builds means: a change that is larger than the runs differ by."""
-    if row.ratio is None:
+    """What a ratio of two builds means: a change that is larger than the runs differ by. Too few tell nothing."""
+    if row.ratio is None or row.spread is None:
         return row.note or "-"
     if abs(row.ratio - 1) <= max(NOTABLE, row.spread):
-        return ""
+        return "same"
     return "better" if (row.ratio > 1) == row.more_is_better else "WORSE"
 
 
 def cells_against(row):
     return (row.stage, row.what, figure(row.anchor, row.digits, row.unit), figure(row.ours, row.digits),
-            figure(row.ratio, 3), f"{100 * row.spread:.0f} %", change(row))
+            figure(row.ratio, 3), "-" if row.spread is None else f"{100 * row.spread:.0f} %", change(row))
 
 
 def aligned(heads, lines):

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "acceleration/scene_tree.hpp"
+#include "tools/benchmark/kernels/embree_cost.hpp"
 #include "tools/benchmark/kernels/mesh_scene.hpp"
 #include "tools/benchmark/kernels/repeated.hpp"
 #include "tools/benchmark/kernels/stages.hpp"
@@ -36,7 +37,10 @@ double surface_area_cost(const Bvh& bvh) {
   return sum / whole;
 }
 
-double weighed_cost(const Scene& scene) {
+// The mean over all meshes, weighed by their triangles, of what `cost` says of the boxes of one; none where
+// it says nothing.
+template <class Cost>
+std::optional<double> weighed(const Scene& scene, Cost&& cost) {
   double sum = 0, triangles = 0;
   for (const SceneMesh& mesh : scene.meshes) {
     const Mesh& geometry = mesh.geometry;
@@ -45,10 +49,16 @@ double weighed_cost(const Scene& scene) {
       for (const std::uint32_t corner : geometry.faces[face]) boxes[face].add(geometry.points[corner]);
     }
     if (boxes.empty()) continue;
-    sum += surface_area_cost(build_bvh(boxes, 4)) * static_cast<double>(boxes.size());
+    const std::optional<double> of_mesh = cost(boxes);
+    if (!of_mesh) return std::nullopt;
+    sum += *of_mesh * static_cast<double>(boxes.size());
     triangles += static_cast<double>(boxes.size());
   }
-  return sum / triangles;
+  return triangles > 0 ? std::optional(sum / triangles) : std::nullopt;
+}
+
+void print_cost(const char* whose, std::optional<double> cost) {
+  if (cost) fmt::print("quality of={} surface_area_cost={:.4f}\n", whose, *cost);
 }
 
 }  // namespace
@@ -63,7 +73,10 @@ void measure_build(const BuildArguments& arguments) {
     fmt::print("build threads={} triangles={} {} Mtris/s={:.4f}\n", threads, triangles, times.text(),
                triangles / times.median() / 1000);
   }
-  fmt::print("quality surface_area_cost={:.4f}\n", weighed_cost(meshes.scene));
+  print_cost("ours", weighed(meshes.scene, [](const std::vector<Bounds>& boxes) {
+               return std::optional(surface_area_cost(build_bvh(boxes, 4)));
+             }));
+  print_cost("embree", weighed(meshes.scene, embree_surface_area_cost));
 }
 
 }  // namespace trace::bench

@@ -35,4 +35,4 @@ def groups(context):
 
             yield Group(STAGE, sample, [
                 Line(name, f"{axis}: {label}, {name}", "MB" if name == "memory" else "ms",
-                     place=Place(axis, amount, str(label), name)) for name in (*TIMES, "memory")], rounds=3)
+                     place=Place(axis, amount, str(label), name)) for name in (*TIMES, "memory")], rounds=3, of_process=True)

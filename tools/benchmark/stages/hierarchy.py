@@ -6,6 +6,11 @@ STAGE = "hierarchy"
 THREADS = (1, 2)
 
 
+def costs(text):
+    """Surface-area costs by whose hierarchy it is."""
+    return {line["of"]: float(line["surface_area_cost"]) for line in programs.lines(text, "quality")}
+
+
 def groups(context):
     program = context.anchors.embree()
     repetitions = context.rounds(5)
@@ -18,14 +23,17 @@ def groups(context):
         def sample(build, scene=scene):
             text = programs.output([build.kernels, "build", scene, "--repetitions", repetitions])
             found = {f"{line['threads']} threads": float(line["Mtris/s"]) for line in programs.lines(text, "build")}
-            found["cost"] = float(programs.lines(text, "quality")[0]["surface_area_cost"])
+            found["cost"] = costs(text)["ours"]
             return found
 
         def anchor(scene=scene):
-            return embree.figures(program, scene, 16, repetitions, THREADS, rays=False)
+            built = programs.output([context.build.kernels, "build", scene, "--threads", "1", "--repetitions", 1])
+            cost = costs(built).get("embree")
+            return {**(embree.figures(program, scene, 16, repetitions, THREADS, rays=False) if program else {}),
+                    **({"cost": cost} if cost else {})}
 
         lines = [Line(f"{n} threads", f"{name}, {n} thread{'s' * (n > 1)}", "Mtriangles/s", goals.BUILDING,
                       more_is_better=True, digits=2) for n in THREADS]
         lines.append(Line("cost", f"{name}, surface-area cost", "boxes and triangles", goals.SURFACE_AREA_COST))
-        yield Group(STAGE, sample, lines, anchor=anchor if program else None, rounds=3,
+        yield Group(STAGE, sample, lines, anchor=anchor, rounds=3,
                     missing=context.anchors.why.get("embree", ""))

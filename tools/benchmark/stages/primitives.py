@@ -22,6 +22,7 @@ def groups(context):
 
         yield Group(STAGE, sample, [Line("speed", f"{scene.stem}, whole process, 1 thread", "Mpixels/s",
                                          goals.of_reference_speed(pixels, milliseconds), True, 2)],
+                    of_process=True,
                     anchor=lambda speed=pixels / milliseconds / 1000: {"speed": speed})
 
     width = 16 if context.quick else 512
@@ -34,4 +35,4 @@ def groups(context):
             return {"speed": pixels / max(found["render"], 0.05) / 1000}
 
         yield Group(STAGE, sample, [Line("speed", f"{name} alone, frame, 1 thread", "Mpixels/s", more_is_better=True,
-                                         digits=2)])
+                                         digits=2)], of_process=True)

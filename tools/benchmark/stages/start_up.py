@@ -16,5 +16,5 @@ def groups(context):
     hello = context.anchors.hello()
     yield Group(STAGE, lambda build: median_of([build.trace, "-q", "-w", "1", scene, context.picture]),
                 [Line("wall", f"whole process, {scene.stem}, 1 pixel", "ms", goals.START_UP, digits=2)],
-                anchor=(lambda: median_of([hello])) if hello else None, rounds=9,
+                anchor=(lambda: median_of([hello])) if hello else None, rounds=9, of_process=True,
                 missing=context.anchors.why.get("hello", ""))

@@ -24,6 +24,6 @@ def groups(context):
             anchor, goal, what = published.FLOORS[name], goals.MESH_SCENE, f"{scene.stem} (floor)"
         elif name in published.REFERENCE:
             anchor = published.REFERENCE[name][1]
-            goal, what = goals.of_reference(published.REFERENCE[name][0]), f"{scene.stem} (reference)"
-        yield Group(STAGE, sample, [Line("wall", what, "ms", goal)], rounds=7,
+            goal, what = goals.of_reference(anchor), f"{scene.stem} (reference)"
+        yield Group(STAGE, sample, [Line("wall", what, "ms", goal)], rounds=7, of_process=True,
                     anchor=(lambda anchor=anchor: {"wall": anchor}) if anchor else None)
