@@ -31,6 +31,63 @@ std::vector<std::uint8_t> mark(const Image& image, double threshold) {
   return marks;
 }
 
+// Adds samples to the pixels of a tile. They are traced many at once and added in the order in which they
+// were given.
+class Refinement {
+ public:
+  Refinement(FrameRenderer& frame, const FrameRenderer::Sampler& sampler, Image& image)
+      : frame_(frame), sampler_(sampler), image_(image) {}
+
+  // The samples that follow are of this pixel, which has its first already.
+  void begin(int i, int j) {
+    const std::uint8_t* p = pixel(image_, i, j);
+    pixels_.push_back({i, j, PartialRgb(Rgb(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0))});
+  }
+  void add(double x, double y) {
+    if (samples_.count == SampleBatch::capacity) trace();
+    places_[samples_.count] = {x, y, pixels_.size() - 1};
+    samples_.add(sampler_.direction(x, y));
+  }
+  void finish() {
+    trace();
+    const int n = frame_.options().antialiasing.supersamples;
+    for (const Pixel& p : pixels_) set_pixel(image_, p.i, p.j, p.sum.value / static_cast<double>(n * n));
+  }
+
+ private:
+  struct Pixel {
+    int i, j;
+    PartialRgb sum;
+  };
+  struct Place {
+    double x, y;
+    std::size_t pixel;
+  };
+
+  void trace() {
+    sampler_.trace(samples_);
+    for (std::size_t k = 0; k < samples_.count; ++k) {
+      const Place& place = places_[k];
+      Pixel& p = pixels_[place.pixel];
+      if (samples_.left_out[k]) {
+        const PartialRgb sample = sampler_.at(place.x, place.y);
+        frame_.non_finite().watch(p.i, p.j, sample);
+        p.sum += PartialRgb(clamped(sample.value), sample.undefined);
+      } else {
+        p.sum += PartialRgb(clamped(samples_.color(k)));
+      }
+    }
+    samples_.count = 0;
+  }
+
+  FrameRenderer& frame_;
+  const FrameRenderer::Sampler& sampler_;
+  Image& image_;
+  std::vector<Pixel> pixels_;
+  SampleBatch samples_;
+  std::array<Place, SampleBatch::capacity> places_;
+};
+
 }  // namespace
 
 void antialias(FrameRenderer& frame, Image& image) {
@@ -41,28 +98,24 @@ void antialias(FrameRenderer& frame, Image& image) {
   const double step_x = 1.0 / (static_cast<double>(image.width) * n);
   const double step_y = 1.0 / (static_cast<double>(image.height) * n);
 
-  const auto refine = [&](const FrameRenderer::Sampler& sampler, int i, int j) {
-    std::uint8_t* p = pixel(image, i, j);
-    PartialRgb sum(Rgb(p[0] / 255.0, p[1] / 255.0, p[2] / 255.0));
-    for (int a = 0; a < n; ++a) {
-      for (int b = a == 0 ? 1 : 0; b < n; ++b) {
-        const PartialRgb sample =
-            sampler.at((static_cast<double>(i) * n + a) * step_x, (static_cast<double>(j) * n + b) * step_y);
-        frame.non_finite().watch(i, j, sample);
-        sum += PartialRgb(clamped(sample.value), sample.undefined);
-      }
-    }
-    set_pixel(image, i, j, sum.value / static_cast<double>(n * n));
-  };
   frame.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+    Refinement refinement(frame, sampler, image);
     for (int j = y0; j < y1; ++j) {
       for (int i = x0; i < x1; ++i) {
-        if (marks[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
-                  static_cast<std::size_t>(i)]) {
-          refine(sampler, i, j);
+        if (!marks[static_cast<std::size_t>(j) * static_cast<std::size_t>(image.width) +
+                   static_cast<std::size_t>(i)]) {
+          continue;
+        }
+        refinement.begin(i, j);
+        for (int a = 0; a < n; ++a) {
+          for (int b = a == 0 ? 1 : 0; b < n; ++b) {
+            refinement.add((static_cast<double>(i) * n + a) * step_x,
+                           (static_cast<double>(j) * n + b) * step_y);
+          }
         }
       }
     }
+    refinement.finish();
   });
 }
 

@@ -52,6 +52,8 @@ class FrameRenderer {
 
     // Many at once. Those that it leaves out are to be asked for one by one.
     void trace(SampleBatch& batch) const { packets_.trace(batch, depth_); }
+    // What a batch takes for a point of the picture.
+    Vec3 direction(double x, double y) const { return caster_.across(x) + caster_.upward(y); }
 
    private:
     RayCaster caster_;

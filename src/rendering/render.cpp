@@ -12,22 +12,6 @@ namespace {
 
 constexpr int tile_edge = 16;
 
-// One ray after the other, for processors without vectors.
-void render_pixels(FrameRenderer& frame, Image& image) {
-  frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
-    std::array<Vec3, tile_edge> columns;
-    for (int i = x0; i < x1; ++i) columns[static_cast<std::size_t>(i - x0)] = sampler.column(i);
-    for (int j = y0; j < y1; ++j) {
-      const Vec3 row = sampler.row(j);
-      for (int i = x0; i < x1; ++i) {
-        const PartialRgb color = sampler.pixel(columns[static_cast<std::size_t>(i - x0)], row);
-        frame.non_finite().watch(i, j, color);
-        set_pixel(image, i, j, color.value);
-      }
-    }
-  });
-}
-
 // Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by four, whose halves
 // are compact too.
 template <class Visit>
@@ -41,7 +25,7 @@ void for_each_in_blocks(int x0, int y0, int x1, int y1, Visit&& visit) {
   }
 }
 
-void render_packets(FrameRenderer& frame, Image& image) {
+void render_pixels(FrameRenderer& frame, Image& image) {
   static_assert(tile_edge * tile_edge <= SampleBatch::capacity);
   frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     SampleBatch batch;
@@ -87,10 +71,8 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   FrameRenderer frame(scene, tree, options, height, threads, progress);
   if (options.blocks.threshold > 0) {
     render_blocks(frame, result.image);
-  } else if (options.instruction_set == InstructionSet::baseline) {
-    render_pixels(frame, result.image);
   } else {
-    render_packets(frame, result.image);
+    render_pixels(frame, result.image);
   }
   if (refine) antialias(frame, result.image);
   result.rays = frame.counts();

@@ -1,5 +1,7 @@
 #include "shading/packet_tracer.hpp"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shading/packet_tracer.cpp"
 #include "hwy/foreach_target.h"

@@ -33,7 +33,8 @@ struct SampleBatch {
 
 class PacketTracer {
  public:
-  // Refers to its arguments, which must outlive it. `counts` is for one thread. `set` is not the baseline.
+  // Refers to its arguments, which must outlive it. `counts` is for one thread. The baseline leaves out all
+  // samples.
   PacketTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, InstructionSet set,
                RayCounts& counts);
 

@@ -43,6 +43,14 @@ struct Arguments {
   bool depth_given = false, width_given = false, threads_given = false;
 };
 
+// What is wrong with the name, for the command line; "" for nothing.
+std::string check_instruction_set(const std::string& name) {
+  const auto set = instruction_set_named(name);
+  if (!set) return fmt::format("'{}' is none of baseline, sse4, avx2 and avx512", name);
+  if (*set > best_instruction_set()) return fmt::format("this machine does not have {}", name);
+  return "";
+}
+
 void say(const Arguments& arguments, const std::string& text) {
   if (!arguments.quiet) fmt::print(stderr, "trace: {}\n", text);
 }
@@ -145,6 +153,11 @@ int render_command(int argc, const char* const* argv) {
   auto* threads = app.add_option("-t,--threads", options.threads, "Threads (default: one a processor)")
                       ->check(CLI::Range(1, 1024))
                       ->type_name("N");
+  std::string instruction_set;
+  app.add_option("--instruction-set", instruction_set,
+                 "baseline, sse4, avx2 or avx512 (default: the best there is; pictures are the same)")
+      ->check(check_instruction_set)
+      ->type_name("NAME");
   app.add_flag("--stats", arguments.stats, "Report counts and times on standard error");
   app.add_flag("-q,--quiet", arguments.quiet, "No notes, warnings or progress");
   app.add_option("scene", arguments.scene, "The scene; - reads standard input")->required();
@@ -164,6 +177,7 @@ int render_command(int argc, const char* const* argv) {
   arguments.width_given = width->count() > 0;
   arguments.threads_given = threads->count() > 0;
   if (options.depth < 0) options.depth = 0;
+  if (const auto set = instruction_set_named(instruction_set)) options.instruction_set = *set;
   return run(arguments);
 }
 
