@@ -57,6 +57,9 @@ HWY_INLINE bool none(const Mask& m) {
 HWY_INLINE bool any(const Mask& m) {
   return !none(m);
 }
+HWY_INLINE std::size_t count(const Mask& m) {
+  return hn::CountTrue(Tag(), m.low) + hn::CountTrue(Tag(), m.high);
+}
 HWY_INLINE Mask first_lanes(std::size_t n) {
   return {hn::FirstN(Tag(), n), hn::FirstN(Tag(), n > half ? n - half : 0)};
 }
