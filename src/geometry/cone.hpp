@@ -29,6 +29,14 @@ class Cone {
   // one.
   double distance(const Vec3& p, const Vec3& normal) const;
 
+  // What computing the same in other ways takes. Radii as used; x^2 + y^2 = slope^2 (z + apex_offset)^2.
+  double bottom_radius() const { return bottom_radius_; }
+  double top_radius() const { return top_radius_; }
+  double height() const { return height_; }
+  bool capped() const { return capped_; }
+  double slope() const { return slope_; }
+  double apex_offset() const { return apex_offset_; }
+
  private:
   // Where the ray meets the endless double cone; false where it does not, and where it only touches it.
   bool side_roots(const Ray& ray, const Vec3& from_apex, Roots& roots) const;

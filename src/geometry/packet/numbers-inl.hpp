@@ -136,6 +136,9 @@ HWY_INLINE Numbers abs(const Numbers& a) {
 HWY_INLINE Numbers select(const Mask& m, const Numbers& yes, const Numbers& no) {
   return {hn::IfThenElse(m.low, yes.low, no.low), hn::IfThenElse(m.high, yes.high, no.high)};
 }
+HWY_INLINE Mask select(const Mask& m, const Mask& yes, const Mask& no) {
+  return (m & yes) | without(no, m);
+}
 // The number or zero.
 HWY_INLINE Numbers where(const Mask& m, const Numbers& yes) {
   return {hn::IfThenElseZero(m.low, yes.low), hn::IfThenElseZero(m.high, yes.high)};
