@@ -21,6 +21,7 @@ HWY_INLINE Mask intersect(const Box&, const Rays& rays, const Mask& active, Loca
   hits.t = inf;
   Numbers best_face = -1.0;
   Numbers enter = -inf, leave = inf;
+  Mask beside = no_lanes();
   for (int face = 0; face < 6; ++face) {
     const int axis = face % 3, next = (axis + 1) % 3, last = (axis + 2) % 3;
     const double plane = face / 3 - 0.5;
@@ -36,10 +37,11 @@ HWY_INLINE Mask intersect(const Box&, const Rays& rays, const Mask& active, Loca
     const Mask comes_in = face < 3 ? d[axis] > 0.0 : d[axis] < 0.0;
     enter = select(comes_in & (t > enter), t, enter);
     leave = select(without(moves, comes_in) & (t < leave), t, leave);
+    if (face < 3) beside |= without(abs(o[axis]) > 0.5, moves);
   }
   const Mask found = active & (best_face >= 0.0);
   // What face_across() of box.cpp might find is left to it.
-  unusual |= without(active, found) & (leave >= enter) & (leave > rays.least_t);
+  unusual |= without(active, found | beside) & (leave >= enter) & (leave > rays.least_t);
 
   const Vectors p = rays.at(hits.t);
   const Mask min_face = best_face < 3.0;
