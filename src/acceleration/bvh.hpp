@@ -60,6 +60,17 @@ struct BvhRay {
   bool negative[3];
 
   BvhRay(const Bvh& bvh, const Ray& ray);
+
+  // Whether boxes that do not exist are sure to be missed: the origin is in the range of
+  // floats and the direction is a number.
+  bool is_plain() const {
+    const __m128 zero = _mm_setzero_ps();
+    const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), _mm_load_ps(near_inverse));
+    const __m128 near_finite = _mm_cmpeq_ps(_mm_mul_ps(_mm_load_ps(near_origin), zero), zero);
+    const __m128 far_finite = _mm_cmpeq_ps(_mm_mul_ps(_mm_load_ps(far_origin), zero), zero);
+    return (_mm_movemask_ps(_mm_and_ps(_mm_and_ps(near_finite, far_finite), _mm_cmplt_ps(zero, size))) & 7) ==
+           7;
+  }
 };
 
 // A distance in double as an upper limit for boxes. Boxes may be off by the relative error above, and the t

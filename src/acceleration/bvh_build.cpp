@@ -79,8 +79,8 @@ class Builder {
       large(range, part);
       return true;
     }
+    if (range.size() <= leaves_.most) return false;
     const auto both = halves(range);
-    if (!both) return false;
     part.nodes.reserve(range.size() / 8 + 1);
     part.nodes.emplace_back();
     small(*both, part.nodes, 0);
@@ -135,8 +135,8 @@ class Builder {
     }
     std::optional<BvhHalves> below[bvh_width];
     for (int i = 0; i < children.count; ++i) {
+      children.is_leaf[i] = children.is_leaf[i] || children.ranges[i].size() <= leaves_.most;
       if (!children.is_leaf[i]) below[i] = halves(children.ranges[i]);
-      if (!below[i]) children.is_leaf[i] = true;
     }
     BvhNode node = node_of(children);
     for (int i = 0; i < children.count; ++i) {

@@ -10,12 +10,13 @@
 
 namespace trace {
 
-// Ranges up to `always` are leaves; up to `most` (1 to 255) they are if that costs no more than two halves
-// and the test of their boxes, `boxes`, in units of one item's test.
+// Leaves hold up to `most` items (1 to 255): so few never get a node of their own. Where a node has room for
+// more children, ranges above `always` are split further if two halves cost less, with the test of one more
+// box at `box` items' tests.
 struct LeafSizes {
   std::uint32_t always = 1;
   std::uint32_t most = 4;
-  float boxes = 1;
+  float box = 1;
 };
 
 // References to items of which each has a box, and the space they are in.

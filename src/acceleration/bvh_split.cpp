@@ -184,7 +184,7 @@ std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRang
   }
   if (count <= leaves.most) {
     const float area = range.box.half_area();
-    const float split_cost = area > 0 ? leaves.boxes + plane.cost / area : leaves.boxes;
+    const float split_cost = area > 0 ? leaves.box + plane.cost / area : leaves.box;
     if (!(split_cost < static_cast<float>(count))) return std::nullopt;
   }
   if (plane.axis >= 0) return partition(references, range, plane, scale);

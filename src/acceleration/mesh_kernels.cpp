@@ -1,5 +1,7 @@
 #include "acceleration/mesh_kernels.hpp"
 
+#include <bit>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "acceleration/mesh_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -49,14 +51,17 @@ HWY_INLINE unsigned meets_boxes(const LaneRay& ray, const BvhNode& node, float l
   const float* planes = &node.low[0][0];
   unsigned bits = 0;
   for (std::size_t first = 0; first < bvh_width; first += lanes) {
-    Lanes enter = hn::Zero(d), leave = hn::Set(d, limit);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Lanes near_plane = hn::Load(d, planes + ray.near_plane[axis] + first);
-      const Lanes far_plane = hn::Load(d, planes + ray.far_plane[axis] + first);
-      // NaN leaves the other: x86's minimum and maximum give their second operand.
-      enter = hn::Max(hn::Mul(hn::Sub(near_plane, ray.near_origin[axis]), ray.near_inverse[axis]), enter);
-      leave = hn::Min(hn::Mul(hn::Sub(far_plane, ray.far_origin[axis]), ray.far_inverse[axis]), leave);
-    }
+    const auto near_at = [&](int axis) HWY_ATTR {
+      const Lanes plane = hn::Load(d, planes + ray.near_plane[axis] + first);
+      return hn::Mul(hn::Sub(plane, ray.near_origin[axis]), ray.near_inverse[axis]);
+    };
+    const auto far_at = [&](int axis) HWY_ATTR {
+      const Lanes plane = hn::Load(d, planes + ray.far_plane[axis] + first);
+      return hn::Mul(hn::Sub(plane, ray.far_origin[axis]), ray.far_inverse[axis]);
+    };
+    // Of x86's minimum and maximum NaN gives the second operand: an axis, or two, do not count then.
+    const Lanes enter = hn::Max(hn::Max(near_at(0), near_at(1)), hn::Max(near_at(2), hn::Zero(d)));
+    const Lanes leave = hn::Min(hn::Min(far_at(0), far_at(1)), hn::Min(far_at(2), hn::Set(d, limit)));
     hn::Store(enter, d, distance + first);
     bits |= bits_of(hn::Le(enter, leave)) << first;
   }
@@ -106,18 +111,59 @@ HWY_INLINE unsigned meets_triangles(const LaneRay& ray, const float* filter, std
   return bits & ((1u << count) - 1);
 }
 
+// A child to be visited.
 struct Entry {
-  float t;
+  float t;  // where the ray enters it
   std::uint32_t index;
   std::uint32_t count;
 };
 
-template <class Search>
+// The children of one node that are to be visited.
+struct Children {
+  const BvhNode& node;
+  alignas(32) float distance[bvh_width];
+  unsigned bits;
+
+  HWY_INLINE Children(const LaneRay& ray, const BvhNode& visited, float limit) : node(visited) {
+    bits = meets_boxes(ray, node, limit, distance);
+  }
+  HWY_INLINE Entry take() {
+    const int i = __builtin_ctz(bits);
+    bits &= bits - 1;
+    return {distance[i], node.child[i], node.count[i]};
+  }
+};
+
+// The nearest; the others go on the stack, near ones on top. Branches, not selections: what they foretell is
+// fetched ahead.
+HWY_INLINE Entry nearest_of(Children& children, Entry*& top) {
+  Entry first = children.take();
+  const Entry* const base = top;
+  while (children.bits != 0) {
+    Entry next = children.take();
+    if (next.t < first.t) std::swap(next, first);
+    Entry* at = top++;
+    for (; at > base && at[-1].t < next.t; --at) *at = at[-1];
+    *at = next;
+  }
+  return first;
+}
+
+// Any; the others go on the stack.
+HWY_INLINE Entry any_of(Children& children, Entry*& top) {
+  const Entry first = children.take();
+  while (children.bits != 0) *top++ = children.take();
+  return first;
+}
+
+template <bool in_order, class Search>
 HWY_INLINE void search_mesh(const MeshTree& tree, const Ray& world, double limit, Search& search) {
   const Bvh& bvh = tree.bvh();
   if (bvh.nodes.empty()) return;
   const FilterRay filter(bvh.centre, world, search.reach());
-  const LaneRay ray(BvhRay(bvh, world), filter);
+  const BvhRay box_ray(bvh, world);
+  if (!box_ray.is_plain()) return one_by_one(tree, box_ray, limit, search);
+  const LaneRay ray(box_ray, filter);
   const BvhNode* nodes = bvh.nodes.data();
   const float* triangles = tree.filter().values.data();
   // A visit takes one entry and adds at most eight.
@@ -127,31 +173,16 @@ HWY_INLINE void search_mesh(const MeshTree& tree, const Ray& world, double limit
   float box_limit = upper_limit(bvh, limit), furthest = filter.furthest(limit);
   for (;;) {
     while (entry.count == 0) {
-      const BvhNode& node = nodes[entry.index];
-      alignas(32) float distance[bvh_width];
-      unsigned bits = meets_boxes(ray, node, box_limit, distance);
-      if (bits == 0) break;
-      const auto child = [&](int i) { return Entry{distance[i], node.child[i], node.count[i]}; };
-      entry = child(__builtin_ctz(bits));
-      bits &= bits - 1;
-      if (bits == 0) continue;
-      const Entry* base = top;
-      // The nearest is visited next, the others go on the stack, near ones on top.
-      do {
-        Entry next = child(__builtin_ctz(bits));
-        bits &= bits - 1;
-        if (next.t < entry.t) std::swap(next, entry);
-        Entry* at = top++;
-        for (; at > base && at[-1].t < next.t; --at) *at = at[-1];
-        *at = next;
-      } while (bits != 0);
+      Children children(ray, nodes[entry.index], box_limit);
+      if (children.bits == 0) goto next;
+      entry = in_order ? nearest_of(children, top) : any_of(children, top);
     }
-    if (entry.count != 0) {
-      unsigned bits =
-          meets_triangles(ray, triangles + TriangleFilter::floats * entry.index, entry.count, furthest);
+    {
+      const std::uint32_t first = entry.index;
+      unsigned bits = meets_triangles(ray, triangles + TriangleFilter::floats * first, entry.count, furthest);
       if (bits != 0) {
         do {
-          limit = search.test(entry.index + static_cast<std::uint32_t>(__builtin_ctz(bits)), limit);
+          limit = search.test(first + static_cast<std::uint32_t>(__builtin_ctz(bits)), limit);
           if (limit < 0) return;
           bits &= bits - 1;
         } while (bits != 0);
@@ -159,6 +190,7 @@ HWY_INLINE void search_mesh(const MeshTree& tree, const Ray& world, double limit
         furthest = filter.furthest(limit);
       }
     }
+  next:
     do {
       if (top == stack) return;
       entry = *--top;
@@ -167,11 +199,11 @@ HWY_INLINE void search_mesh(const MeshTree& tree, const Ray& world, double limit
 }
 
 void nearest(const MeshTree& tree, const Ray& ray, double limit, NearestFace& search) {
-  search_mesh(tree, ray, limit, search);
+  search_mesh<true>(tree, ray, limit, search);
 }
 
 void any(const MeshTree& tree, const Ray& ray, double limit, AnyFace& search) {
-  search_mesh(tree, ray, limit, search);
+  search_mesh<false>(tree, ray, limit, search);
 }
 
 }  // namespace trace::HWY_NAMESPACE
@@ -181,18 +213,15 @@ HWY_AFTER_NAMESPACE();
 namespace trace {
 namespace {
 
-template <class Search>
-void one_by_one(const MeshTree& tree, const Ray& ray, double limit, Search& search) {
-  traverse(tree.bvh(), BvhRay(tree.bvh(), ray), limit,
-           [&](std::uint32_t first, std::uint32_t count, double current) {
-             for (std::uint32_t i = first; i < first + count && current >= 0; ++i) {
-               current = search.test(i, current);
-             }
-             return current;
-           });
+void nearest(const MeshTree& tree, const Ray& ray, double limit, NearestFace& search) {
+  one_by_one(tree, BvhRay(tree.bvh(), ray), limit, search);
 }
 
-constexpr MeshKernels kernels[] = {{one_by_one<NearestFace>, one_by_one<AnyFace>},
+void any(const MeshTree& tree, const Ray& ray, double limit, AnyFace& search) {
+  one_by_one(tree, BvhRay(tree.bvh(), ray), limit, search);
+}
+
+constexpr MeshKernels kernels[] = {{nearest, any},
                                    {N_SSE4::nearest, N_SSE4::any},
                                    {N_AVX2::nearest, N_AVX2::any},
                                    {N_AVX3::nearest, N_AVX3::any}};

@@ -15,4 +15,13 @@ struct MeshKernels {
 
 const MeshKernels& mesh_kernels(InstructionSet set);
 
+// The same without vectors wider than every processor's, for any ray.
+template <class Search>
+void one_by_one(const MeshTree& tree, const BvhRay& ray, double limit, Search& search) {
+  traverse(tree.bvh(), ray, limit, [&](std::uint32_t first, std::uint32_t count, double current) {
+    for (std::uint32_t i = first; i < first + count && current >= 0; ++i) current = search.test(i, current);
+    return current;
+  });
+}
+
 }  // namespace trace
