@@ -16,6 +16,15 @@ __m128 centre_of(const FloatBox& box) {
   return _mm_and_ps(centre, _mm_cmplt_ps(size, _mm_set1_ps(std::numeric_limits<float>::infinity())));
 }
 
+FloatBox centres_of(std::span<const BoxReference> references) {
+  FloatBox result;
+  for (const BoxReference& reference : references) {
+    const __m128 centre = centre_of(reference.box);
+    result.add(centre, centre);
+  }
+  return result;
+}
+
 // From centres to bins, all three axes at once.
 struct BinScale {
   int bins;
@@ -114,22 +123,52 @@ Plane best_plane(const Bins& bins, const BinScale& scale) {
   return best;
 }
 
-BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, const Plane& plane,
-                    const BinScale& scale) {
-  const __m128 border = _mm_set1_ps(static_cast<float>(plane.bin));
-  const int bit = 1 << plane.axis;
-  BvhHalves result;
-  result.left.box = plane.left;
-  result.right.box = plane.right;
-  FloatBox left_centres, right_centres;
-  std::uint32_t left = range.first, right = range.last;
-  const auto is_left = [&](__m128 centre) {
-    return (_mm_movemask_ps(_mm_cmplt_ps(scale.place(centre), border)) & bit) != 0;
-  };
+// Which references belong to the left half.
+class Side {
+ public:
+  Side(const Plane& plane, const BinScale& scale)
+      : scale_(scale), border_(_mm_set1_ps(static_cast<float>(plane.bin))), axis_(plane.axis) {}
+
+  unsigned is_left(__m128 centre) const {
+    const auto bits = static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(scale_.place(centre), border_)));
+    return bits >> axis_ & 1;
+  }
+  unsigned is_left(const BoxReference& reference) const { return is_left(centre_of(reference.box)); }
+
+ private:
+  const BinScale& scale_;
+  __m128 border_;
+  int axis_;
+};
+
+// Few: without a branch on the side, which cannot be foretold.
+constexpr std::size_t most_copied = 1024;
+
+std::uint32_t partition_few(std::span<BoxReference> references, const Side& side, FloatBox& left_centres,
+                            FloatBox& right_centres) {
+  __m128 copy[2 * most_copied];  // not initialized
+  std::size_t left = 0, right = 0;
+  for (const BoxReference reference : references) {  // a copy
+    const unsigned is_left = side.is_left(reference);
+    references[left] = reference;
+    copy[2 * right] = reference.box.low;
+    copy[2 * right + 1] = reference.box.high;
+    left += is_left;
+    right += 1 - is_left;
+  }
+  for (std::size_t i = 0; i < right; ++i) references[left + i].box = {copy[2 * i], copy[2 * i + 1]};
+  left_centres = centres_of(references.first(left));
+  right_centres = centres_of(references.subspan(left));
+  return static_cast<std::uint32_t>(left);
+}
+
+std::uint32_t partition_many(std::span<BoxReference> references, const Side& side, FloatBox& left_centres,
+                             FloatBox& right_centres) {
+  std::size_t left = 0, right = references.size();
   while (left < right) {
     const BoxReference a = references[left];
     const __m128 centre = centre_of(a.box);
-    if (is_left(centre)) {
+    if (side.is_left(centre)) {
       left_centres.add(centre, centre);
       ++left;
       continue;
@@ -139,7 +178,7 @@ BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, c
     while (left < --right) {
       const BoxReference b = references[right];
       const __m128 other = centre_of(b.box);
-      if (is_left(other)) {
+      if (side.is_left(other)) {
         left_centres.add(other, other);
         references[left++] = b;
         references[right] = a;
@@ -148,10 +187,21 @@ BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, c
       right_centres.add(other, other);
     }
   }
-  result.left.centres = left_centres;
-  result.right.centres = right_centres;
+  return static_cast<std::uint32_t>(left);
+}
+
+BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, const Plane& plane,
+                    const BinScale& scale) {
+  BvhHalves result;
+  const auto of_range = references.subspan(range.first, range.size());
+  const std::uint32_t left =
+      range.size() <= most_copied
+          ? partition_few(of_range, Side(plane, scale), result.left.centres, result.right.centres)
+          : partition_many(of_range, Side(plane, scale), result.left.centres, result.right.centres);
+  result.left.box = plane.left;
+  result.right.box = plane.right;
   result.left.first = range.first;
-  result.left.last = result.right.first = left;
+  result.left.last = result.right.first = range.first + left;
   result.right.last = range.last;
   result.left.depth = result.right.depth = range.depth + 1;
   return result;
@@ -162,11 +212,9 @@ BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, c
 BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t first, std::uint32_t last,
                      int depth) {
   BvhRange result;
-  for (const BoxReference& reference : references.subspan(first, last - first)) {
-    const __m128 centre = centre_of(reference.box);
-    result.box.add(reference.box);
-    result.centres.add(centre, centre);
-  }
+  const auto of_range = references.subspan(first, last - first);
+  for (const BoxReference& reference : of_range) result.box.add(reference.box);
+  result.centres = centres_of(of_range);
   result.first = first;
   result.last = last;
   result.depth = depth;
