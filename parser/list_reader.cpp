@@ -1,6 +1,7 @@
 #include "parser/list_reader.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
@@ -10,15 +11,20 @@
 
 #include "parser/comments.hpp"
 #include "parser/number.hpp"
+#include "parser/plain_number.hpp"
 #include "parser/printable.hpp"
 
 namespace trace::parser {
 
 namespace {
 
-constexpr std::array<double, 23> power_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+// Memory that will be written from end to end: fewer, larger pages are sooner had. Only advice.
+void use_large_pages(void* memory, std::size_t bytes) {
+  constexpr std::uintptr_t large_page = std::uintptr_t{2} << 20;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + large_page - 1) / large_page * large_page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / large_page * large_page;
+  if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
 
 class ListReader {
  public:
@@ -48,6 +54,10 @@ class ListReader {
     return true;
   }
   bool index(std::uint32_t& value);
+  // Appends the entries from here on that have nothing but good numbers (and blanks) in them and a ',' behind
+  // them, and stops in front of the first other one. Whether there was one.
+  template <class Value>
+  bool plain_entries(std::vector<Value>& values);
   void too_few_corners(const char* begin, std::size_t count);
 
   // Makes room for `count` more. How much more will come is judged by the distance to the ';' behind the list
@@ -65,6 +75,7 @@ class ListReader {
     const std::size_t more = static_cast<std::size_t>(1.02 * static_cast<double>(values.size() - first_) *
                                                       static_cast<double>(bytes) / static_cast<double>(read));
     values.reserve(values.size() + std::max({more, values.size() / 2, std::size_t{48}}));
+    use_large_pages(values.data(), values.capacity() * sizeof(Value));
   }
 
   const char* place() const { return at_; }
@@ -95,26 +106,75 @@ bool ends_number(char c) {
 }
 
 bool ListReader::fast_number(double& value) {
-  const char* p = at_;
-  const bool negative = *p == '-';
-  p += negative ? 1 : 0;
-  const char* const first = p;
-  std::uint64_t digits = 0;
-  for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<unsigned>(*p - '0');
-  std::ptrdiff_t count = p - first;
-  std::ptrdiff_t decimals = 0;
-  if (*p == '.') {
-    const char* const fraction = ++p;
-    for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<unsigned>(*p - '0');
-    decimals = p - fraction;
-    count += decimals;
-  }
-  // Up to 19 digits cannot have overflowed; up to 2^53 the integer is exact.
-  if (!ends_number(*p) || count == 0 || count > 19 || digits > (std::uint64_t{1} << 53)) return false;
-  const double magnitude = static_cast<double>(digits) / power_of_ten[static_cast<std::size_t>(decimals)];
-  value = negative ? -magnitude : magnitude;
-  at_ = p;
+  const char* const behind = read_plain_number(at_, value);
+  if (behind == nullptr || !ends_number(*behind)) return false;
+  at_ = behind;
   return true;
+}
+
+const char* behind_blanks(const char* at) {
+  while (is_blank(*at)) ++at;
+  return at;
+}
+
+// What read_plain_number leaves; null where it is not good.
+[[gnu::noinline]] const char* good_number(const char* at, const char* end, double& value) {
+  if (!begins_number(*at)) return nullptr;
+  const NumberText number = read_number(at, end);
+  value = number.value;
+  return number.state == NumberState::good ? number.end : nullptr;
+}
+
+[[gnu::always_inline]] inline const char* plain_value(const char* at, const char* end, double& value) {
+  const char* const behind = read_plain_number(at, value);
+  return behind != nullptr && ends_number(*behind) ? behind : good_number(at, end, value);
+}
+
+[[gnu::always_inline]] inline const char* plain_value(const char* at, const char*, std::uint32_t& value) {
+  const DigitRun run = read_digits(at);
+  value = static_cast<std::uint32_t>(run.value);
+  return run.count != 0 && ends_number(at[run.count]) ? at + run.count : nullptr;
+}
+
+// Behind the `opener`, a value and the blanks on both sides of it; null where that does not stand at `at`.
+template <class Value>
+[[gnu::always_inline]] inline const char* plain_part(const char* at, const char* end, char opener,
+                                                     Value& value) {
+  if (*at != opener) return nullptr;
+  at = plain_value(behind_blanks(at + 1), end, value);
+  return at == nullptr ? nullptr : behind_blanks(at);
+}
+
+// The three values of an entry that begins at `at`, or in blanks before it; returns behind its ',', null
+// where it is not plain.
+template <class Value>
+[[gnu::always_inline]] inline const char* plain_entry(const char* at, const char* end, Value* values) {
+  at = plain_part(behind_blanks(at), end, '(', values[0]);
+  if (at != nullptr) at = plain_part(at, end, ',', values[1]);
+  if (at != nullptr) at = plain_part(at, end, ',', values[2]);
+  if (at == nullptr || *at != ')') return nullptr;
+  at = behind_blanks(at + 1);
+  return *at == ',' ? at + 1 : nullptr;
+}
+
+template <class Value>
+bool ListReader::plain_entries(std::vector<Value>& values) {
+  bool any = false;
+  constexpr std::size_t most = 192;  // values gathered before the vector is looked at again
+  std::array<Value, most> some;
+  for (std::size_t count = most; count == most;) {
+    count = 0;
+    const char* at = at_;
+    while (count < most && (at = plain_entry(at, end_, &some[count])) != nullptr) {
+      at_ = at;
+      count += 3;
+    }
+    if (count == 0) break;
+    any = true;
+    make_room(values, count);
+    values.insert(values.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return any;
 }
 
 void ListReader::slow_number(double& value) {
@@ -166,6 +226,7 @@ ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<dou
   ListReader list(source, begin, numbers.size(), diagnostics);
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
+    if (list.plain_entries(numbers)) need = ListNeed::entry;
     std::array<double, 3> triple;
     if (!list.take('(')) return list.stop(need, false);
     if (!list.number(triple[0])) return list.stop(ListNeed::number, true);
@@ -187,6 +248,7 @@ ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::
   ListReader list(source, begin, corners.size(), diagnostics);
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
+    if (sizes.empty() && list.plain_entries(corners)) need = ListNeed::entry;
     list.peek();
     const char* const face = list.place();
     if (!list.take('(')) return list.stop(need, false);

@@ -16,9 +16,11 @@ std::string count_of(std::size_t count, std::string_view one, std::string_view m
 
 void check_corners(const Source& source, const Mesh& mesh, Diagnostics& diagnostics) {
   const std::size_t points = mesh.points.size() / 3;
+  std::uint32_t largest = 0;  // without a way out, this takes many at a time
+  for (const std::uint32_t corner : mesh.corners) largest = std::max(largest, corner);
+  if (mesh.corners.empty() || largest < points) return;
   const auto wrong = [points](std::uint32_t corner) { return corner >= points; };
   const auto first = std::find_if(mesh.corners.begin(), mesh.corners.end(), wrong);
-  if (first == mesh.corners.end()) return;
 
   const auto number = static_cast<std::uint64_t>(first - mesh.corners.begin());
   const auto list = std::find_if(mesh.face_lists.begin(), mesh.face_lists.end(),
