@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <utility>
 
 #include "parser/mesh_checks.hpp"
+#include "parser/plain_materials.hpp"
 #include "parser/printable.hpp"
 
 namespace trace::parser {
@@ -126,15 +128,28 @@ ListStop Builder::read_list(Kind attribute, Span open) {
   return stop;
 }
 
-void Builder::vertex_materials(std::vector<Material> materials, Span span) {
-  std::vector<Material>& all = mesh().vertex_materials;
-  mesh().material_lists.push_back({{all.size(), materials.size(), span}, primitive_.materials.size()});
-  if (all.empty()) {
-    all = std::move(materials);
-  } else {
-    all.insert(all.end(), std::make_move_iterator(materials.begin()),
-               std::make_move_iterator(materials.end()));
+std::uint32_t Builder::read_plain_materials(Span open) {
+  VertexMaterials plain;
+  const std::uint32_t end = parser::read_plain_materials(source_, open.begin, plain);
+  if (end != open.begin) plain_materials_ = std::move(plain);
+  return end;
+}
+
+void Builder::vertex_materials(VertexMaterials materials, Span span) {
+  VertexMaterials& all = mesh().vertex_materials;
+  mesh().material_lists.push_back({{all.count(), materials.count(), span}, primitive_.materials.size()});
+  all.append(std::move(materials));
+}
+
+void VertexMaterials::append(VertexMaterials more) {
+  if (of.empty()) {
+    *this = std::move(more);
+    return;
   }
+  const auto first = static_cast<std::uint32_t>(materials.size());
+  for (const std::uint32_t index : more.of) of.push_back(first + index);
+  materials.insert(materials.end(), std::make_move_iterator(more.materials.begin()),
+                   std::make_move_iterator(more.materials.end()));
 }
 
 }  // namespace trace::parser

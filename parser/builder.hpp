@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "parser/description.hpp"
 #include "parser/diagnostic.hpp"
@@ -67,7 +68,11 @@ class Builder {
   void begin_mesh(Span keyword);
   Mesh& mesh() { return scene_.meshes.back(); }
   ListStop read_list(Kind attribute, Span open);
-  void vertex_materials(std::vector<Material> materials, Span span);
+  // The plain entries from the '{' at `open` on (plain_materials.hpp); take_plain_materials gives them to the
+  // grammar.
+  std::uint32_t read_plain_materials(Span open);
+  VertexMaterials take_plain_materials() { return std::exchange(plain_materials_, {}); }
+  void vertex_materials(VertexMaterials materials, Span span);
 
  private:
   // A light's attribute and the word it was given by.
@@ -97,6 +102,7 @@ class Builder {
   Span viewdir_word_, updir_word_;
   LightParts light_;
   Primitive primitive_;
+  VertexMaterials plain_materials_;
   Span primitive_keyword_;
   std::size_t errors_before_ = 0;  // when the block that is being read began
   std::size_t unknown_names_ = 0;  // errors about names of materials

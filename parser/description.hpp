@@ -68,6 +68,22 @@ struct Material {
   Span span;
 };
 
+// The materials of a mesh's points: entry i is materials[of[i]], so that one that is written many times over
+// is held once. `of` may be left empty where every entry has a material of its own.
+struct VertexMaterials {
+  std::vector<Material> materials;
+  std::vector<std::uint32_t> of;
+
+  std::size_t count() const { return of.empty() ? materials.size() : of.size(); }
+  std::size_t index(std::size_t entry) const { return of.empty() ? entry : of[entry]; }
+
+  void add(Material material) {
+    of.push_back(static_cast<std::uint32_t>(materials.size()));
+    materials.push_back(std::move(material));
+  }
+  void append(VertexMaterials more);  // both with `of`
+};
+
 // --- cameras and lights ------------------------------------------------------------------------------------
 
 // One camera block. Blocks accumulate: an attribute of a later block replaces that of an earlier one.
@@ -109,7 +125,7 @@ struct ListSpan {
 // One list `materials = (...)` of a mesh: its entries inherit from the mesh's material as it stood there,
 // which is the last of the first `materials_before` of Primitive::materials.
 struct MaterialList {
-  ListSpan list;  // entries of Mesh::vertex_materials
+  ListSpan list;  // entries of Mesh::vertex_materials, counted as VertexMaterials::of counts them
   std::size_t materials_before = 0;
 };
 
@@ -120,7 +136,7 @@ struct Mesh {
   std::vector<double> normals;            // 3 numbers a normal
   std::vector<std::uint32_t> corners;     // indices into points, face after face
   std::vector<std::uint32_t> face_sizes;  // corners of each face; empty when every face is a triangle
-  std::vector<Material> vertex_materials;
+  VertexMaterials vertex_materials;
   bool generate_normals = false;
 
   std::vector<ListSpan> point_lists, normal_lists, face_lists;

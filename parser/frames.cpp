@@ -43,6 +43,12 @@ void Frames::close() {
   frames_.pop_back();
 }
 
+void Frames::pass_materials(const Token& materials) {
+  const std::uint32_t end = materials.span.end;
+  before_last_ = {T::CLOSE_BRACE, {end - 1, end - 1}};
+  last_ = {T::COMMA, {end - 1, end}};
+}
+
 void Frames::apply(const Token& token) {
   switch (token.kind) {
     case T::OPEN_BRACE:

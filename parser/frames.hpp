@@ -32,6 +32,8 @@ class Frames {
 
   // A token that the grammar has taken.
   void apply(const Token& token);
+  // A PLAIN_MATERIALS that the grammar has taken: whole entries, and the ',' behind the last of them.
+  void pass_materials(const Token& materials);
 
   const Frame& top() const { return frames_.back(); }
   const Frame& parent() const { return frames_[frames_.size() < 2 ? 0 : frames_.size() - 2]; }

@@ -54,7 +54,7 @@ void check_mesh(const Source& source, const Mesh& mesh, Span keyword, Diagnostic
   check_count(mesh.normals.size() / 3, points, {normals.begin, normals.begin + 1}, "normal", "normals",
               diagnostics);
   const Span materials = mesh.material_lists.empty() ? keyword : mesh.material_lists.back().list.span;
-  check_count(mesh.vertex_materials.size(), points, {materials.begin, materials.begin + 1}, "material",
+  check_count(mesh.vertex_materials.count(), points, {materials.begin, materials.begin + 1}, "material",
               "materials", diagnostics);
 }
 

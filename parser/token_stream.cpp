@@ -18,7 +18,7 @@ TokenStream::TokenStream(const Source& source, Diagnostics& diagnostics, Builder
 // The token returned before has been taken by the grammar: only now do its brackets count.
 bison::Grammar::symbol_type TokenStream::next() {
   if (taken_ && !stopped_) {
-    frames_.apply(current_);
+    current_.kind == T::PLAIN_MATERIALS ? frames_.pass_materials(current_) : frames_.apply(current_);
     check_nesting(current_);
   }
   taken_ = true;
@@ -33,6 +33,7 @@ Token TokenStream::advance() {
     return token;
   }
   const Token token = scanner_.next();
+  if (at_vertex_material(token)) return read_plain_materials(token);
   const Kind attribute = frames_.before_last().kind;
   const bool list = attribute == T::POINTS || attribute == T::NORMALS || attribute == T::FACES;
   Token result =
@@ -125,6 +126,22 @@ Token TokenStream::read_list(const Token& open) {
   Token list = leave_list(found, stop);
   list.span.begin = open.span.begin;
   return list;
+}
+
+bool TokenStream::at_vertex_material(const Token& token) const {
+  if (token.kind != T::OPEN_BRACE || token.after_error || silence_next_) return false;
+  const Frame& frame = frames_.top();
+  const Kind before = frames_.last().kind;
+  return frame.opener == T::OPEN_PAREN && frame.owner == T::MATERIALS &&
+         (before == T::OPEN_PAREN || before == T::COMMA);
+}
+
+// `open` itself where the entry that it begins is not plain, or the last.
+Token TokenStream::read_plain_materials(const Token& open) {
+  const std::uint32_t end = builder_.read_plain_materials(open.span);
+  if (end == open.span.begin) return open;
+  scanner_.seek(end);
+  return {T::PLAIN_MATERIALS, {open.span.begin, end}};
 }
 
 // Behind an error in a list: up to the ')' of the list. A ';', a '}' or a word stands in none, so it ends one

@@ -52,6 +52,8 @@ class TokenStream {
   Token advance();
   Token skip();
   Token read_list(const Token& open);
+  Token read_plain_materials(const Token& open);
+  bool at_vertex_material(const Token& token) const;
   Token leave_list(const Token& found, const ListStop& stop);
   void check_nesting(const Token& token);
   bison::Grammar::symbol_type symbol(const Token& token) const;

@@ -92,6 +92,13 @@ class SceneBuilder {
     return id == default_material ? default_ : scopes_[static_cast<std::size_t>(id)];
   }
 
+  // As parser::VertexMaterials, resolved.
+  struct VertexMaterials {
+    std::vector<MappedMaterial> materials;
+    std::vector<std::uint32_t> of;
+  };
+  static constexpr std::uint32_t unresolved = ~std::uint32_t{0};
+
   std::uint32_t add_material(const MappedMaterial& material) {
     scene_.materials.push_back(material);
     return static_cast<std::uint32_t>(scene_.materials.size() - 1);
@@ -134,11 +141,16 @@ class SceneBuilder {
       if (is_new) entry->second = add_material({at_point(material, scene_.textures, Vec2(0))});
       object.material = entry->second;
     }
-    for (auto& [mesh, materials] : vertex_materials_) {
-      for (const MappedMaterial& material : materials) {
-        scene_.meshes[mesh].materials.push_back(at_point(material, scene_.textures, Vec2(0)));
-        note_transmission(scene_.meshes[mesh].materials.back());
+    for (const auto& [mesh, entries] : vertex_materials_) {
+      std::vector<Material> distinct;
+      distinct.reserve(entries.materials.size());
+      for (const MappedMaterial& material : entries.materials) {
+        distinct.push_back(at_point(material, scene_.textures, Vec2(0)));
+        note_transmission(distinct.back());
       }
+      std::vector<Material>& all = scene_.meshes[mesh].materials;
+      all.reserve(entries.of.size());
+      for (const std::uint32_t index : entries.of) all.push_back(distinct[index]);
     }
   }
 
@@ -179,20 +191,26 @@ class SceneBuilder {
 
   std::optional<Shape> make_shape(const parser::MeshId& id, const GraphObject& object) {
     parser::Mesh& said = description_.meshes[id.index];
-    std::vector<MappedMaterial> materials;
-    materials.reserve(said.vertex_materials.size());
+    VertexMaterials materials;
+    materials.of.reserve(said.vertex_materials.count());
     for (const auto& [list, before] : said.material_lists) {
       const MappedMaterial own =
           before == 0 ? inherited(object.inherits).material : own_materials_[before - 1];
+      std::vector<std::uint32_t> resolved(said.vertex_materials.materials.size(), unresolved);
       for (std::size_t i = 0; i < list.count; ++i) {
-        materials.push_back(resolver_.resolve(said.vertex_materials[list.first + i], own));
+        const std::size_t index = said.vertex_materials.index(list.first + i);
+        if (resolved[index] == unresolved) {
+          resolved[index] = static_cast<std::uint32_t>(materials.materials.size());
+          materials.materials.push_back(resolver_.resolve(said.vertex_materials.materials[index], own));
+        }
+        materials.of.push_back(resolved[index]);
       }
     }
     Mesh mesh = make_mesh(std::move(said));
     if (mesh.faces.empty()) return std::nullopt;
     const auto index = static_cast<std::uint32_t>(scene_.meshes.size());
     scene_.meshes.push_back({std::move(mesh), {}});
-    if (!materials.empty()) vertex_materials_[index] = std::move(materials);
+    if (!materials.of.empty()) vertex_materials_[index] = std::move(materials);
     return MeshId{index};
   }
 
@@ -214,7 +232,7 @@ class SceneBuilder {
   ResolvedScope default_;
   std::vector<ResolvedScope> scopes_;
   std::vector<MappedMaterial> own_materials_;  // of the object that is being added
-  std::map<std::uint32_t, std::vector<MappedMaterial>> vertex_materials_;
+  std::map<std::uint32_t, VertexMaterials> vertex_materials_;
 };
 
 }  // namespace

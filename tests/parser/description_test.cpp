@@ -121,7 +121,7 @@ TEST_CASE("a mesh knows which material its vertex materials inherit from") {
   CHECK(mesh.material_lists[0].materials_before == 1);
   CHECK(mesh.material_lists[1].materials_before == 2);
   CHECK(mesh.material_lists[1].list.first == 2);
-  CHECK(mesh.vertex_materials.size() == 3);
+  CHECK(mesh.vertex_materials.count() == 3);
   CHECK(mesh.normals.size() == 9);
   CHECK(mesh.generate_normals);
 }

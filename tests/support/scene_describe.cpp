@@ -59,7 +59,7 @@ parser::Mesh triangle_mesh(std::vector<parser::Material> materials) {
   mesh.points = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
   mesh.corners = {0, 1, 2};
   if (!materials.empty()) mesh.material_lists = {{{0, materials.size(), {}}, 0}};
-  mesh.vertex_materials = std::move(materials);
+  mesh.vertex_materials.materials = std::move(materials);
   return mesh;
 }
 
