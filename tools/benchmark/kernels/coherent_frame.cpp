@@ -53,7 +53,7 @@ class CoherentFrame {
     Mask hit = active & (hits.t < std::numeric_limits<double>::infinity());
     counts_.primary += count(active);
     counts_.hits += count(hit);
-    counts_.distances += hn::GetLane(hn::SumOfLanes(Tag(), where(hit, hits.t).v));
+    counts_.distances += sum_of_lanes(where(hit, hits.t));
     if (mode_ == bench::Mode::primary || none(hit)) return;
     const MeshHits surface = mesh_hits_of(scene_, rays, hits, hit);
     if (mode_ == bench::Mode::one_shadow) {
