@@ -62,8 +62,9 @@ HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& act
 }
 
 // meets_after_all() for the lanes `unsure`, which are added to `hits` or to `gaps`.
-HWY_NOINLINE void meet_after_all(const Corners& corners, const Rays& rays, const Mask& unsure,
-                                 TriangleHits& hits, Mask& hit, Mask& gaps) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void meet_after_all(const Corners& corners, const Rays& rays,
+                                                         const Mask& unsure, TriangleHits& hits, Mask& hit,
+                                                         Mask& gaps) {
   const RayLanes one(rays);
   Lanes t(hits.t), u(hits.u), v(hits.v);
   unsigned found = 0, gap = 0;
@@ -198,8 +199,9 @@ class AnyFaces {
   Mask unusual;
 };
 
-HWY_NOINLINE Mask intersect_mesh(const MeshTree& mesh, const Rays& rays, const Mask& active,
-                                 const Numbers& limit, bool cull, LocalHits& hits, Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Mask intersect_mesh(const MeshTree& mesh, const Rays& rays,
+                                                         const Mask& active, const Numbers& limit, bool cull,
+                                                         LocalHits& hits, Mask& unusual) {
   ClosestFaces leaf(mesh, rays, active, limit, cull);
   traverse(mesh.bvh(), rays, active, leaf);
   unusual |= leaf.unusual;
@@ -207,8 +209,9 @@ HWY_NOINLINE Mask intersect_mesh(const MeshTree& mesh, const Rays& rays, const M
   return without(active, leaf.unusual) & (leaf.best.t < std::numeric_limits<double>::infinity());
 }
 
-HWY_NOINLINE Mask occluded_by_mesh(const MeshTree& mesh, const Rays& rays, const Mask& active,
-                                   const Numbers& scale, const Numbers& limit, Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Mask occluded_by_mesh(const MeshTree& mesh, const Rays& rays,
+                                                           const Mask& active, const Numbers& scale,
+                                                           const Numbers& limit, Mask& unusual) {
   AnyFaces leaf(mesh, rays, active, scale, limit);
   traverse(mesh.bvh(), rays, active, leaf);
   unusual |= leaf.unusual;

@@ -197,8 +197,8 @@ HWY_INLINE void visit_leaves(const Scene& scene, const SceneTree& tree, const Ra
   }
 }
 
-HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
-                          bool cull, Hits& result) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays& rays,
+                                                  const Mask& active, bool cull, Hits& result) {
   ClosestObjects leaf(scene, tree, rays, active, cull);
   visit_leaves(scene, tree, rays, active, leaf);
   result = leaf.best;
@@ -230,8 +230,9 @@ HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays&
 }
 
 // Which rays hit anything nearer than `limit`.
-HWY_NOINLINE Mask occluded(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
-                           const Numbers& limit) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Mask occluded(const Scene& scene, const SceneTree& tree,
+                                                   const Rays& rays, const Mask& active,
+                                                   const Numbers& limit) {
   AnyObjects leaf(scene, tree, rays, active, limit);
   visit_leaves(scene, tree, rays, active, leaf);
   if (none(leaf.unusual)) return leaf.found;

@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
 // hits_bounds() of geometry/bounds.hpp, in its own quotients.
-HWY_NOINLINE Mask hit_bounds_exactly(const Bounds& b, const Rays& rays, const Mask& active) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Mask hit_bounds_exactly(const Bounds& b, const Rays& rays,
+                                                             const Mask& active) {
   Numbers enter = -std::numeric_limits<double>::infinity(), leave = std::numeric_limits<double>::infinity();
   const Numbers* const origin[3] = {&rays.origin.x, &rays.origin.y, &rays.origin.z};
   const Numbers* const direction[3] = {&rays.direction.x, &rays.direction.y, &rays.direction.z};

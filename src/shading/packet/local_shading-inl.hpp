@@ -39,7 +39,8 @@ HWY_INLINE Numbers power(const Numbers& base, const Numbers& exponent, const Mas
 }
 
 // shading/transmittance.hpp, where it is finite.
-HWY_NOINLINE Vectors transmittances(const Vectors& kt, const Numbers& length, const Mask& some, Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors transmittances(const Vectors& kt, const Numbers& length,
+                                                            const Mask& some, Mask& odd) {
   Vectors result;
   result.x = power(kt.x, length, without(some, kt.x == 1.0));
   // Equal channels have equal powers.
@@ -51,8 +52,9 @@ HWY_NOINLINE Vectors transmittances(const Vectors& kt, const Numbers& length, co
 }
 
 // shadow_attenuation() of shadow.hpp.
-HWY_NOINLINE Vectors shadow_attenuations(const PacketScene& world, Rays rays, Numbers distance, Mask active,
-                                         LaneCounts& counts, Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shadow_attenuations(const PacketScene& world, Rays rays,
+                                                                 Numbers distance, Mask active,
+                                                                 LaneCounts& counts, Mask& odd) {
   Vectors left(1.0, 1.0, 1.0);
   if (!world.options.shadows) return left;
   counts.shadow += where(active, 1.0);
@@ -163,9 +165,9 @@ HWY_INLINE void add_light(const PacketScene& world, const Light& light, const Su
 }
 
 // shade_locally()
-HWY_NOINLINE Vectors shade_locally(const PacketScene& world, const Surfaces& surface,
-                                   const Vectors& toward_surface, const Mask& hit, LaneCounts& counts,
-                                   Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shade_locally(const PacketScene& world, const Surfaces& surface,
+                                                           const Vectors& toward_surface, const Mask& hit,
+                                                           LaneCounts& counts, Mask& odd) {
   const Materials& material = surface.material;
   Vectors color = material.emissive + material.ambient * Vectors(world.scene.ambient);
   odd |= without(hit, all_finite(color) & all_finite(0.0 * surface.point + surface.normal));

@@ -138,8 +138,9 @@ HWY_INLINE Numbers distance_of_face(const Faces& face, const Vectors& normal, co
 
 // The surfaces of the lanes `some`, which all hit `object` at `result.point`; but for the point what is
 // filled in for other lanes does not count. `unusual` gets those whose surface only the scalar code can tell.
-HWY_NOINLINE void fill(const Scene& scene, const Object& object, const LocalHits& local, const Mask& some,
-                       bool smooth, Surfaces& result, Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object& object,
+                                               const LocalHits& local, const Mask& some, bool smooth,
+                                               Surfaces& result, Mask& unusual) {
   const Frame& frame = scene.frames[object.frame];
   const MappedMaterial& material = scene.materials[object.material];
   const Vectors p = point_times(frame.to_object, result.point);
@@ -206,8 +207,9 @@ HWY_NOINLINE void fill(const Scene& scene, const Object& object, const LocalHits
 }
 
 // The surfaces of the lanes `hit`; `unusual` gets those that only the scalar code can tell.
-HWY_NOINLINE void surfaces_of(const Scene& scene, const Rays& rays, const Hits& hits, const Mask& hit,
-                              bool smooth, Surfaces& result, Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const Rays& rays, const Hits& hits,
+                                                      const Mask& hit, bool smooth, Surfaces& result,
+                                                      Mask& unusual) {
   result.point = rays.at(hits.t);
   const Lanes objects(hits.object);
   unsigned left = bits_of(hit);

@@ -44,12 +44,14 @@ HWY_INLINE Vectors background(const Scene& scene, const Vectors& direction, cons
   return color.vectors();
 }
 
-HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays, const Mask& active, Kind kind,
-                               int depth, Seen& seen, LaneCounts& counts, Mask& odd);
+HWY_MAYBE_UNUSED static HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays,
+                                                       const Mask& active, Kind kind, int depth, Seen& seen,
+                                                       LaneCounts& counts, Mask& odd);
 
-HWY_NOINLINE void add_reflected(const PacketScene& world, const Rays& rays, const Surfaces& surface,
-                                const Mask& inside, const Mask& some, int depth, Vectors& color,
-                                LaneCounts& counts, Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void add_reflected(const PacketScene& world, const Rays& rays,
+                                                        const Surfaces& surface, const Mask& inside,
+                                                        const Mask& some, int depth, Vectors& color,
+                                                        LaneCounts& counts, Mask& odd) {
   counts.reflected += where(some, 1.0);
   const Rays mirrored = surface.leaving(mirrored_directions(rays.direction, surface.normal));
   Seen seen;
@@ -65,9 +67,10 @@ HWY_NOINLINE void add_reflected(const PacketScene& world, const Rays& rays, cons
   color = select(some, sum, color);
 }
 
-HWY_NOINLINE void add_refracted(const PacketScene& world, const Rays& rays, const Surfaces& surface,
-                                const Mask& inside, Mask some, int depth, Vectors& color, LaneCounts& counts,
-                                Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void add_refracted(const PacketScene& world, const Rays& rays,
+                                                        const Surfaces& surface, const Mask& inside,
+                                                        Mask some, int depth, Vectors& color,
+                                                        LaneCounts& counts, Mask& odd) {
   const Materials& material = surface.material;
   const Vectors n = select(inside, -surface.normal, surface.normal);
   const Numbers eta = select(inside, material.index, 1.0 / material.index);
@@ -88,8 +91,9 @@ HWY_NOINLINE void add_refracted(const PacketScene& world, const Rays& rays, cons
 }
 
 // WhittedTracer::trace for the lanes `active`.
-HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays, const Mask& active, Kind kind,
-                               int depth, Seen& seen, LaneCounts& counts, Mask& odd) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays,
+                                                       const Mask& active, Kind kind, int depth, Seen& seen,
+                                                       LaneCounts& counts, Mask& odd) {
   // Of rays that lead nowhere the scalar code knows what is seen.
   odd |= without(active, all_finite(0.0 * rays.origin + rays.direction) & !is_zero(rays.direction));
   const Mask going = without(active, odd);
