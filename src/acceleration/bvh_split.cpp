@@ -31,7 +31,10 @@ struct BinScale {
   __m128 low, scale;  // scale is 0 along axes that cannot be split
 
   explicit BinScale(const BvhRange& range)
-      : bins(range.size() > 32 ? most_bins : most_bins / 2), low(range.centres.low) {
+      : bins(range.size() > 128 ? most_bins
+             : range.size() > 8 ? 6
+                                : 4),
+        low(range.centres.low) {
     const __m128 extent = _mm_sub_ps(range.centres.high, low);
     scale = _mm_div_ps(_mm_set1_ps(static_cast<float>(bins)), extent);
     const __m128 infinity = _mm_set1_ps(std::numeric_limits<float>::infinity());

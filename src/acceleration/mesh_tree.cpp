@@ -36,9 +36,8 @@ MeshTree::MeshTree(const Mesh& mesh, InstructionSet set) : mesh_(&mesh), kernels
 
 void MeshTree::build(ThreadBudget& threads) {
   const Bounds bounds = mesh_->bounds();
-  centre_ = 0.5 * bounds.min + 0.5 * bounds.max;
-  radius_ = sum_of_sizes(bounds.max - centre_);
   bvh_ = hierarchy_of(*mesh_, bounds, threads);
+  radius_ = sum_of_sizes(glm::max(bounds.max - centre(), centre() - bounds.min));
   sort_faces(threads);
   bvh_.order = {};
 }

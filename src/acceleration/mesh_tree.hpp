@@ -45,10 +45,10 @@ class MeshTree {
     return {mesh_->points[f[0]], mesh_->points[f[1]], mesh_->points[f[2]]};
   }
 
-  const Vec3& centre() const { return centre_; }
+  const Vec3& centre() const { return bvh_.centre; }
   double radius() const { return radius_; }
   // The sum of sizes of the way from any corner to the origin is at most this.
-  double reach_to(const Vec3& origin) const { return sum_of_sizes(origin - centre_) + radius_; }
+  double reach_to(const Vec3& origin) const { return sum_of_sizes(origin - centre()) + radius_; }
 
   // The triangle at `place`. `reach` is reach_to() the ray's origin. Never `unsure`.
   Meeting meet(std::uint32_t place, const Ray& ray, double reach, double limit, TriangleHit& hit) const {
@@ -67,8 +67,7 @@ class MeshTree {
   void sort_faces(ThreadBudget& threads);
 
   const Mesh* mesh_;
-  Vec3 centre_;    // of the mesh's points
-  double radius_;  // as a sum of sizes
+  double radius_;  // around the hierarchy's centre, as a sum of sizes
   Bvh bvh_;        // without its order, which is that of faces_
   std::vector<LeafFace> faces_;
   TriangleFilter filter_;
