@@ -25,10 +25,11 @@ Format output_format(const std::filesystem::path& path) {
   return *format;
 }
 
-std::vector<std::uint8_t> encode(const Image& image, const Format& format, const std::string& extension) {
+std::vector<std::uint8_t> encode(const Image& image, const Format& format, const std::string& extension,
+                                 int threads) {
   switch (format.codec) {
     case Codec::png:
-      return encode_png(image);
+      return encode_png(image, threads);
     case Codec::bmp:
       return encode_bmp(image);
     case Codec::openimageio:
@@ -61,11 +62,11 @@ void check_writable(const std::filesystem::path& path) {
   const AtomicFile probe(path);
 }
 
-void write_image(const std::filesystem::path& path, const Image& image) {
+void write_image(const std::filesystem::path& path, const Image& image, int threads) {
   check_image(image);
   const Format format = output_format(path);
   AtomicFile file(path);  // before the work of encoding: it may well be that nothing can be written there
-  file.write(encode(image, format, path.extension().string()));
+  file.write(encode(image, format, path.extension().string(), threads));
   file.commit();
 }
 

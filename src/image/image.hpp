@@ -1,8 +1,8 @@
 // Pictures as files: reading textures, writing results.
 //
 // What is in a picture is told by its first bytes when reading and by the name's extension when writing.
-// PNG goes through libpng and BMP through stb; every other format through OpenImageIO, which is loaded only
-// when a file needs it (openimageio.hpp).
+// PNG is read by libpng and written with zlib, BMP goes through stb; every other format through OpenImageIO,
+// which is loaded only when a file needs it (openimageio.hpp).
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ struct ImageError : std::runtime_error {
 Image read_image(const std::filesystem::path& path);
 
 // Writes by the extension: .png, .bmp, or any other that OpenImageIO knows. A file already there is replaced
-// whole or left as it was. Throws ImageError.
-void write_image(const std::filesystem::path& path, const Image& image);
+// whole or left as it was. At most `threads` threads share the work. Throws ImageError.
+void write_image(const std::filesystem::path& path, const Image& image, int threads = 1);
 
 // Throws what write_image would for this name, without writing: an unknown type, a folder that is not there.
 // For programs that would otherwise work long before they notice.

@@ -1,4 +1,4 @@
-// PNG, by libpng.
+// PNG: read by libpng, written with zlib.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ namespace trace {
 // Throws ImageError for a damaged file, or one that ends too early.
 Image read_png(InputFile& file);
 
-// The bytes of a PNG file: 8-bit RGB, not interlaced, neither gAMA nor a time, the same for the same picture.
-std::vector<std::uint8_t> encode_png(const Image& image);
+// The bytes of a PNG file: 8-bit RGB, not interlaced, neither gAMA nor a time, the same for the same picture
+// whatever the number of threads. Throws ImageError.
+std::vector<std::uint8_t> encode_png(const Image& image, int threads = 1);
 
 }  // namespace trace

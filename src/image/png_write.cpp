@@ -1,94 +1,102 @@
-// For longjmp and C++ see png_read.cpp.
-#include <fmt/format.h>
-#include <png.h>
+// Writing PNG (ISO/IEC 15948): libpng packs rows one after another, so the stream is made here, of stripes.
+// They are cut by the picture's size alone: the file is the same for any number of threads.
 #include <zlib.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "image/png.hpp"
+#include "image/png_stripe.hpp"
 #include "image/size_limits.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
 
-class Encoder {
- public:
-  // Appends to `bytes`.
-  explicit Encoder(std::vector<std::uint8_t>& bytes) : bytes_(&bytes) {
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
-    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+using Bytes = std::vector<std::uint8_t>;
+
+// Few enough bytes to stay in the cache nearest to the processor's core from filter to checksum; many enough
+// that what is lost between stripes (5 bytes and a new Huffman code) does not show.
+constexpr std::size_t stripe_bytes = 64 << 10;
+
+void put_number(Bytes& bytes, std::size_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+template <class Range>
+void put(Bytes& bytes, const Range& more) {
+  for (const auto byte : more) bytes.push_back(static_cast<std::uint8_t>(byte));
+}
+
+void put_chunk(Bytes& bytes, std::string_view type, const Bytes& data) {
+  put_number(bytes, data.size());
+  const std::size_t begin = bytes.size();
+  put(bytes, type);
+  put(bytes, data);
+  put_number(bytes, crc32(0, &bytes[begin], static_cast<uInt>(bytes.size() - begin)));
+}
+
+Bytes header(const Image& image) {
+  Bytes data;
+  put_number(data, static_cast<std::size_t>(image.width));
+  put_number(data, static_cast<std::size_t>(image.height));
+  put(data,
+      std::array<std::uint8_t, 5>{8, 2, 0, 0, 0});  // 8 bits, RGB, deflate, the usual filters, not interlaced
+  return data;
+}
+
+std::vector<PackedStripe> pack(const Image& image, int threads) {
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width) + 1;
+  const int rows = static_cast<int>(std::max(std::size_t{1}, stripe_bytes / row_bytes));
+  std::vector<PackedStripe> stripes(static_cast<std::size_t>((image.height + rows - 1) / rows));
+  // A stripe takes some 0.15 ms: two are the least that is worth a thread.
+  const int most = std::max(1, std::min(threads, static_cast<int>(stripes.size()) / 2));
+  std::vector<std::optional<StripePacker>> packers(static_cast<std::size_t>(most));
+  parallel_for(most, stripes.size(), [&](std::size_t i, int thread) {
+    std::optional<StripePacker>& packer = packers[static_cast<std::size_t>(thread)];
+    if (!packer) packer.emplace();
+    const int first = static_cast<int>(i) * rows;
+    stripes[i] = packer->pack(image, first, std::min(first + rows, image.height));
+  });
+  return stripes;
+}
+
+// One IDAT chunk: zlib's header, the stripes, the checksum of all rows.
+void put_pixels(Bytes& bytes, const std::vector<PackedStripe>& stripes) {
+  constexpr std::array<std::uint8_t, 2> zlib_header{0x78, 0x01};
+  std::size_t size = zlib_header.size() + 4;
+  uLong adler = adler32(0, nullptr, 0);
+  for (const PackedStripe& stripe : stripes) {
+    size += stripe.bytes.size();
+    adler = adler32_combine(adler, stripe.adler, static_cast<z_off_t>(stripe.raw_size));
   }
-  Encoder(const Encoder&) = delete;
-  Encoder& operator=(const Encoder&) = delete;
-  ~Encoder() { png_destroy_write_struct(&png_, &info_); }
-
-  // False after an error, which error() tells.
-  bool write(const Image& image);
-  const char* error() const { return error_; }
-
- private:
-  static void on_error(png_structp png, png_const_charp text);
-  static void on_warning(png_structp, png_const_charp) {}
-  static void on_write(png_structp png, png_bytep bytes, std::size_t count);
-  static void on_flush(png_structp) {}
-  static bool append(std::vector<std::uint8_t>& to, png_const_bytep bytes, std::size_t count) noexcept;
-
-  std::vector<std::uint8_t>* bytes_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
-  char error_[128] = "out of memory";
-};
-
-void Encoder::on_error(png_structp png, png_const_charp text) {
-  auto* encoder = static_cast<Encoder*>(png_get_error_ptr(png));
-  std::snprintf(encoder->error_, sizeof encoder->error_, "%s", text);
-  png_longjmp(png, 1);
-}
-
-bool Encoder::append(std::vector<std::uint8_t>& to, png_const_bytep bytes, std::size_t count) noexcept {
-  try {
-    to.insert(to.end(), bytes, bytes + count);
-    return true;
-  } catch (...) {  // libpng is C: no exception may pass through it
-    return false;
+  bytes.reserve(bytes.size() + size + 64);
+  put_number(bytes, size);
+  std::size_t begin = bytes.size();
+  put(bytes, std::string_view("IDAT"));
+  put(bytes, zlib_header);
+  uLong crc = crc32(0, &bytes[begin], static_cast<uInt>(bytes.size() - begin));
+  for (const PackedStripe& stripe : stripes) {
+    bytes.insert(bytes.end(), stripe.bytes.begin(), stripe.bytes.end());
+    crc = crc32_combine(crc, stripe.crc, static_cast<z_off_t>(stripe.bytes.size()));
   }
-}
-
-void Encoder::on_write(png_structp png, png_bytep bytes, std::size_t count) {
-  if (!append(*static_cast<Encoder*>(png_get_io_ptr(png))->bytes_, bytes, count))
-    png_error(png, "out of memory");
-}
-
-bool Encoder::write(const Image& image) {
-  if (!info_) return false;
-  if (setjmp(png_jmpbuf(png_))) return false;  // NOLINT: libpng's way
-  png_set_write_fn(png_, this, on_write, on_flush);
-  // The filter "up" turns rendered surfaces and backgrounds into runs of equal small numbers. Looking for
-  // those runs alone, rather than for any repeated string, takes a quarter less time on the pictures that
-  // take longest (512 x 512, textured everywhere: 8 ms instead of 11); on usual ones (3.3 ms) both are
-  // alike, as are the files.
-  png_set_compression_level(png_, 1);
-  png_set_compression_strategy(png_, Z_RLE);
-  png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
-  png_set_compression_mem_level(png_, 9);
-  png_set_compression_buffer_size(png_, 1 << 16);
-  png_set_IHDR(png_, info_, png_uint_32(image.width), png_uint_32(image.height), 8, PNG_COLOR_TYPE_RGB,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_write_info(png_, info_);
-  const std::size_t row_bytes = 3 * std::size_t(image.width);
-  for (int y = 0; y < image.height; ++y) png_write_row(png_, image.rgb.data() + std::size_t(y) * row_bytes);
-  png_write_end(png_, nullptr);
-  return true;
+  begin = bytes.size();
+  put_number(bytes, adler);
+  put_number(bytes, crc32(crc, &bytes[begin], 4));
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encode_png(const Image& image, int threads) {
   check_image(image);
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.rgb.size() / 2);
-  Encoder encoder(bytes);
-  if (!encoder.write(image)) throw ImageError(fmt::format("the PNG cannot be made: {}", encoder.error()));
+  const std::vector<PackedStripe> stripes = pack(image, threads);
+  Bytes bytes;
+  put(bytes, std::array<std::uint8_t, 8>{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+  put_chunk(bytes, "IHDR", header(image));
+  put_pixels(bytes, stripes);
+  put_chunk(bytes, "IEND", {});
   return bytes;
 }
 

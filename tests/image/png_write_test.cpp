@@ -31,6 +31,10 @@ TEST_CASE("a PNG is written as 8-bit RGB, not interlaced, with nothing but the p
 
 TEST_CASE("the same picture gives the same PNG bytes") {
   CHECK(encode_png(colourful(50, 40)) == encode_png(colourful(50, 40)));
+  const Image large = colourful(700, 500);  // several stripes
+  const Bytes alone = encode_png(large, 1);
+  for (const int threads : {2, 3, 8}) CHECK(encode_png(large, threads) == alone);
+  CHECK(read_bytes(alone).rgb == large.rgb);
 }
 
 TEST_CASE("a picture whose pixels do not match its size is not written") {
