@@ -152,6 +152,10 @@ const std::string& Source::name() const {
 std::string_view Source::text() const {
   return contents_->text();
 }
+void Source::release_memory() const {
+  if (contents_->mapping != nullptr && contents_->owned.empty())
+    ::madvise(contents_->mapping, contents_->mapping_size, MADV_DONTNEED);
+}
 std::filesystem::path Source::directory() const {
   return contents_->directory;
 }

@@ -46,6 +46,9 @@ class Source {
 
   const std::string& name() const;  // as the user wrote it; "<stdin>" for standard input
   std::string_view text() const;    // text_padding NUL bytes follow it
+  // For when little more of the text will be read: gives the memory of a mapped file back. What is read all
+  // the same comes from the file again.
+  void release_memory() const;
   // The folder that relative names in the scene start from ("." for text and standard input).
   std::filesystem::path directory() const;
 

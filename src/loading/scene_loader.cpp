@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "parser/parse.hpp"
 #include "rendering/options.hpp"
@@ -35,12 +37,28 @@ void check_size(const Scene& scene, int width, parser::Span span, parser::Diagno
   }
 }
 
+class Stopwatch {
+ public:
+  // Milliseconds since the last call or since construction.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    return std::chrono::duration<double, std::milli>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
 }  // namespace
 
 LoadedScene load_scene(const parser::Source& source, int width, ImageSource& images) {
   LoadedScene result;
+  Stopwatch watch;
   parser::Diagnostics diagnostics;
   parser::Scene description = parser::parse(source, diagnostics);
+  source.release_memory();  // only messages need it now
+  result.times.parse = watch.lap();
   if (!diagnostics.has_errors()) {
     const parser::Span span = aspect_span(description);
     result.scene = build_scene(std::move(description), source, images, diagnostics);
@@ -48,17 +66,22 @@ LoadedScene load_scene(const parser::Source& source, int width, ImageSource& ima
   }
   if (diagnostics.has_errors()) result.scene.reset();
   result.messages = parser::render(source, diagnostics);
+  result.times.build = watch.lap();
   return result;
 }
 
 LoadedScene load_scene(const std::string& file, int width, ImageSource& images) {
+  Stopwatch watch;
   std::optional<parser::Source> source;
   try {
     source = parser::Source::from_file(file);
   } catch (const std::runtime_error& e) {
-    return {std::nullopt, fmt::format("trace: error: {}\n", e.what())};
+    return {std::nullopt, fmt::format("trace: error: {}\n", e.what()), {}};
   }
-  return load_scene(*source, width, images);
+  const double read = watch.lap();
+  LoadedScene result = load_scene(*source, width, images);
+  result.times.read = read;
+  return result;
 }
 
 }  // namespace trace

@@ -10,9 +10,17 @@
 
 namespace trace {
 
+// What the parts of loading took, in milliseconds.
+struct LoadTimes {
+  double read = 0;   // opening and mapping the file
+  double parse = 0;  // from text to description
+  double build = 0;  // from description to scene
+};
+
 struct LoadedScene {
   std::optional<Scene> scene;  // empty where there are errors
   std::string messages;        // errors and warnings with their places; may be empty
+  LoadTimes times{};
 };
 
 // `width` is that of the picture, whose height the scene decides and which may be out of bounds.

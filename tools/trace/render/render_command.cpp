@@ -7,6 +7,7 @@
 
 #include "loading/scene_loader.hpp"
 #include "loading/settings_file.hpp"
+#include "parallel/parallel.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/render/progress_line.hpp"
 #include "tools/trace/render/statistics.hpp"
@@ -114,7 +115,8 @@ int run(Arguments& arguments) {
   statistics.lap(Stage::render);
 
   try {
-    write_image(arguments.output, rendered.image);
+    const int threads = arguments.options.threads;
+    write_image(arguments.output, rendered.image, threads > 0 ? threads : hardware_threads());
   } catch (const ImageError& e) {
     fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
     return exit_cannot_write;
@@ -124,7 +126,7 @@ int run(Arguments& arguments) {
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene == "-" ? "<stdin>" : arguments.scene,
                to_text(rendered.non_finite));
   }
-  if (arguments.stats) fmt::print(stderr, "{}", statistics.report(scene, rendered));
+  if (arguments.stats) fmt::print(stderr, "{}", statistics.report(scene, loaded.times, rendered));
   return exit_done;
 }
 

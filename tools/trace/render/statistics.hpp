@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 
+#include "loading/scene_loader.hpp"
 #include "rendering/render.hpp"
 
 namespace trace {
@@ -16,7 +17,8 @@ class Statistics {
   // Ends a stage: the time since the last call, or since construction, is that stage's.
   void lap(Stage stage);
 
-  std::string report(const Scene& scene, const Rendered& rendered) const;
+  // `load` are the parts of Stage::load.
+  std::string report(const Scene& scene, const LoadTimes& load, const Rendered& rendered) const;
 
  private:
   using Clock = std::chrono::steady_clock;
