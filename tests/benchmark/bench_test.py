@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True  # no __pycache__ in the sources
 REPOSITORY, BUILD = (pathlib.Path(word) for word in sys.argv[1:3])
 sys.path.insert(0, str(REPOSITORY / "tools"))
 
-from benchmark import goals, group, page, picture, report, row, samples, stages, tables
+from benchmark import goals, group, page, picture, programs, report, row, samples, stages, tables
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -140,6 +140,19 @@ class Quick(unittest.TestCase):
                 continue
             cells = cells or text_line.count("|")
             self.assertEqual(text_line.count("|"), cells, text_line)
+
+    def test_packets_meet_what_single_rays_meet(self):
+        scene = REPOSITORY / "scenes" / "features" / "trimesh_polygons.ray"
+        text = programs.output([BUILD / "bench_kernels", "rays", scene, "--width", "101", "--repetitions", "1"])
+        found = {(one["mode"], one["interface"]): one for one in programs.lines(text, "rays")}
+        packets = [key for key in found if key[1] == "coherent"]
+        for mode, interface in packets:
+            one, other = found[mode, "single"], found[mode, interface]
+            for count in ("rays", "hits", "shadow", "occluded"):
+                self.assertEqual(other[count], one[count], (mode, count))
+            # Added in another order.
+            self.assertAlmostEqual(float(other["distances"]) / float(one["distances"]), 1, places=8)
+        self.assertGreater(int(found["prim+allshadows", "single"]["shadow"]), 0)
 
     def test_two_builds_are_compared(self):
         done = subprocess.run(

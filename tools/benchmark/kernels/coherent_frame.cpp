@@ -1,5 +1,5 @@
-// The rays of single_frame.cpp in packets: blocks of four by two pixels, or as much of that as a packet
-// holds, and from their hits to one light after the other.
+// The rays of single_frame.cpp in packets: blocks of four by four, four by two or two by two pixels, as many
+// as a packet holds, and from their hits to one light after the other.
 #include "instruction_set/instruction_set.hpp"
 #include "tools/benchmark/kernels/frame_rays.hpp"
 
@@ -29,7 +29,7 @@ class CoherentFrame {
   }
 
  private:
-  static constexpr int across = lanes < 4 ? static_cast<int>(lanes) : (lanes < 8 ? 2 : 4);
+  static constexpr int across = lanes < 8 ? 2 : 4;
   static constexpr int along = static_cast<int>(lanes) / across;
 
   HWY_INLINE void trace_tile(int left, int top) {
