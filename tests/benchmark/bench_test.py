@@ -156,8 +156,8 @@ class Quick(unittest.TestCase):
 
     def test_two_builds_are_compared(self):
         done = subprocess.run(
-            [REPOSITORY / "tools" / "bench", "--quick", "--build", BUILD, "--against", BUILD / "trace", "--only", "rays",
-             "--only", "whole"], capture_output=True, text=True, check=False)
+            [REPOSITORY / "tools" / "bench", "--quick", "--build", BUILD, "--against", BUILD / "trace", "--only",
+             "rays", "--only", "whole"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         lines = [text_line for text_line in done.stdout.splitlines() if text_line.startswith(("rays", "whole"))]
         self.assertTrue(lines)

@@ -30,7 +30,8 @@ def bar(row, y):
     value = f"{row.ours:.{row.digits}f} {row.unit}"
     return (f'  <text x="{LEFT - 10}" y="{y + 12}" text-anchor="end"><tspan class="faint">{escape(row.stage)}</tspan> '
             f'{escape(row.what)}</text>\n'
-            f'  <rect class="{kind}" x="{min(x, goal):.1f}" y="{y + 3}" width="{max(abs(x - goal), 1):.1f}" height="11"/>\n'
+            f'  <rect class="{kind}" x="{min(x, goal):.1f}" y="{y + 3}" width="{max(abs(x - goal), 1):.1f}" '
+            f'height="11"/>\n'
             f'  <text class="faint" x="{LEFT + WIDTH + 10}" y="{y + 12}">{escape(value)}</text>\n')
 
 

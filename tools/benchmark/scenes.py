@@ -46,10 +46,10 @@ class Scenes:
 
     def lights(self, count):
         """A sphere on a square under so many lights in a circle."""
-        circle = "".join(
-            f"point_light {{ position = ({4 * math.cos(2 * math.pi * i / count):.6f}, 4, "
-            f"{4 * math.sin(2 * math.pi * i / count):.6f}); color = ({1 / count:.6f}, {1 / count:.6f}, {1 / count:.6f}); "
-            f"}}\n" for i in range(count))
+        angles = [2 * math.pi * i / count for i in range(count)]
+        color = ", ".join([f"{1 / count:.6f}"] * 3)
+        circle = "".join(f"point_light {{ position = ({4 * math.cos(angle):.6f}, 4, {4 * math.sin(angle):.6f}); "
+                         f"color = ({color}); }}\n" for angle in angles)
         return self._made(f"lights_{count}.ray", HEADER + CAMERA + circle + OBJECTS)
 
     def mirrors(self):
@@ -75,11 +75,12 @@ sphere {{ material = {MATERIAL}; }}
 translate(1.2, -0.5, 0.5, scale(0.5, box {{ material = {MATERIAL}; }}))
 """
 
-MIRRORS = """camera { position = (0, 0, 0.5); viewdir = (0.1, 0.05, -1); updir = (0, 1, 0); fov = 60; }
-point_light { position = (0.5, 0.8, 0); color = (1, 1, 1); }
-translate(0, 0, -2, scale(400, 400, 1, square { material = { diffuse = (0.1, 0.1, 0.1); reflective = (0.9, 0.9, 0.9); }; }))
-translate(0, 0, 2, scale(400, 400, 1, square { material = { diffuse = (0.1, 0.1, 0.1); reflective = (0.9, 0.9, 0.9); }; }))
-translate(0.6, 0, -0.8, scale(0.25, sphere { material = { diffuse = (0.7, 0.3, 0.2); }; }))
+MIRROR = "scale(400, 400, 1, square { material = { diffuse = (0.1, 0.1, 0.1); reflective = (0.9, 0.9, 0.9); }; })"
+MIRRORS = f"""camera {{ position = (0, 0, 0.5); viewdir = (0.1, 0.05, -1); updir = (0, 1, 0); fov = 60; }}
+point_light {{ position = (0.5, 0.8, 0); color = (1, 1, 1); }}
+translate(0, 0, -2, {MIRROR})
+translate(0, 0, 2, {MIRROR})
+translate(0.6, 0, -0.8, scale(0.25, sphere {{ material = {{ diffuse = (0.7, 0.3, 0.2); }}; }}))
 """
 
 
@@ -93,7 +94,8 @@ def bumpy_sphere(count):
         for column in range(columns):
             around = 2 * math.pi * column / columns
             x, y, z = math.sin(polar) * math.cos(around), math.cos(polar), math.sin(polar) * math.sin(around)
-            r = 1 + 0.06 * math.sin(9 * x + 2 * y) * math.sin(8 * y - 3 * z) + 0.006 * math.sin(91 * x) * math.sin(87 * y)
+            r = 1 + 0.06 * math.sin(9 * x + 2 * y) * math.sin(8 * y - 3 * z)
+            r += 0.006 * math.sin(91 * x) * math.sin(87 * y)
             comma = "," if ring or column else ""
             yield f"{comma}\n( {x * r:.6g}, {y * r:.6g}, {z * r:.6g} )"
     yield " );\n faces = ("

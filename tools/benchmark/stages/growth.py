@@ -27,12 +27,14 @@ def groups(context):
     for axis, points in series(context):
         for label, amount, scene, arguments in points:
             if amount is None:
-                amount = programs.statistics_of(context.build.trace, scene, context.picture, "-w", "16")["triangles"]
+                found = programs.statistics_of(context.build.trace, scene, context.picture, "-w", "16")
+                amount = found["triangles"]
 
             def sample(build, scene=scene, arguments=arguments):
                 found = programs.statistics_of(build.trace, scene, context.picture, *map(str, arguments))
-                return {**{name: found.get(name, 0.0) for name in TIMES}, "memory": found["memory"]}
+                return {name: found.get(name, 0.0) for name in (*TIMES, "memory")}
 
             yield Group(STAGE, sample, [
                 Line(name, f"{axis}: {label}, {name}", "MB" if name == "memory" else "ms",
-                     place=Place(axis, amount, str(label), name)) for name in (*TIMES, "memory")], rounds=3, of_process=True)
+                     place=Place(axis, amount, str(label), name)) for name in (*TIMES, "memory")],
+                        rounds=3, of_process=True)

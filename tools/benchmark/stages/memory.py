@@ -16,4 +16,4 @@ def groups(context):
             return {"bytes": samples.median([run["peak_kilobytes"] for run in runs]) * 1024 / triangles}
 
         yield Group(STAGE, sample, [Line("bytes", f"{size} triangles, most at any time", "bytes a triangle",
-                                         goals.NONE if context.quick else goals.MEMORY, digits=0)], rounds=3, of_process=True)
+                                         goals.MEMORY, digits=0)], rounds=3, of_process=True)

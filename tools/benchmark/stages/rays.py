@@ -1,4 +1,4 @@
-"""Rays a second through meshes on one thread, the very rays that embree_bench traces: a ray at a time, and in packets."""
+"""Rays a second through meshes on one thread, the very rays that embree_bench traces: one at a time, in packets."""
 from .. import embree, goals, programs
 from ..group import Group, Line
 
