@@ -60,13 +60,16 @@ struct FilterRay {
   float origin[3], direction[3];
   float reach;
 
-  FilterRay(const Vec3& centre, const Ray& ray, double ray_reach)
-      : reach(ray_reach <= 0x1p50 ? static_cast<float>(ray_reach * (1 + 0x1p-22))
-                                  : std::numeric_limits<float>::infinity()) {
+  FilterRay(const Vec3& centre, const Ray& ray, double ray_reach) : reach(rounded_up(ray_reach)) {
     for (int axis = 0; axis < 3; ++axis) {
       origin[axis] = static_cast<float>(ray.origin[axis] - centre[axis]);
       direction[axis] = static_cast<float>(ray.direction[axis]);
     }
+  }
+
+  static float rounded_up(double ray_reach) {
+    return ray_reach <= 0x1p50 ? static_cast<float>(ray_reach * (1 + 0x1p-22))
+                               : std::numeric_limits<float>::infinity();
   }
 
   // What meets() allows beyond `limit`, and as much again for the roundings of the product with det.

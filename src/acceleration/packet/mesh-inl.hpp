@@ -88,6 +88,67 @@ HWY_INLINE double reach_of(const MeshTree& mesh, const Rays& rays, const Mask& a
   return largest_lane(active, sum_of_sizes(rays.origin - Vectors(mesh.centre())), 0.0) + mesh.radius();
 }
 
+// The filter of triangle_filter.hpp for packets: one triangle of a leaf and many rays, where there it is one
+// ray and the triangles of a leaf. Products may be fused with sums; its bounds allow for either.
+class FilterRays {
+ public:
+  // `reach` is reach_of() the rays.
+  HWY_INLINE FilterRays(const MeshTree& mesh, const Rays& rays, double reach)
+      : values_(mesh.filter().values.data()),
+        origin_{floats_of(rays.origin.x - Numbers(mesh.centre().x)),
+                floats_of(rays.origin.y - Numbers(mesh.centre().y)),
+                floats_of(rays.origin.z - Numbers(mesh.centre().z))},
+        direction_{floats_of(rays.direction.x), floats_of(rays.direction.y), floats_of(rays.direction.z)},
+        reach_(FilterRay::rounded_up(reach)) {}
+
+  // As FilterRay::furthest.
+  HWY_INLINE Floats furthest(const Numbers& limit) const {
+    return hn::Add(floats_of(limit * (1 + 0x1p-19)), hn::Set(FloatTag(), 0x1p-19f * reach_));
+  }
+
+  // Which rays may hit the triangle at `place` of the leaf of `count` that begins with item `first`.
+  HWY_INLINE unsigned keep(std::uint32_t first, std::uint32_t count, std::uint32_t place,
+                           const Floats& furthest) const {
+    const FloatTag f;
+    const float* const at = values_ + TriangleFilter::floats * first + place;
+    const auto value = [&](std::size_t run) HWY_ATTR { return hn::Set(f, at[run * count]); };
+    const Floats ab[3] = {value(3), value(4), value(5)}, ac[3] = {value(6), value(7), value(8)};
+    const Floats from_a[3] = {hn::Sub(origin_[0], value(0)), hn::Sub(origin_[1], value(1)),
+                              hn::Sub(origin_[2], value(2))};
+    const float size = at[9 * count];
+    const Floats bound = hn::Set(f, 64 * 0x1p-24f * size * (reach_ + size));
+    Floats p[3], q[3];
+    cross(direction_, ac, p);
+    const Floats determinant = dot(ab, p);
+    const Floats sign = hn::And(determinant, hn::Set(f, -0.0f));
+    const Floats whole = hn::Xor(determinant, sign);
+    const Floats u = hn::Xor(dot(from_a, p), sign);
+    cross(from_a, ab, q);
+    const Floats v = hn::Xor(dot(direction_, q), sign), t = hn::Xor(dot(ac, q), sign);
+    const Floats below = hn::Neg(bound), above = hn::Add(whole, bound);
+    const Floats t_bound = hn::Mul(bound, hn::Set(f, size));
+    const auto beside = hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Gt(hn::Add(u, v), above));
+    const auto before_or_beyond =
+        hn::Or(hn::Lt(t, hn::Neg(t_bound)), hn::Gt(t, hn::MulAdd(furthest, above, t_bound)));
+    return bits_of(hn::Not(hn::And(hn::Gt(whole, bound), hn::Or(beside, before_or_beyond))));
+  }
+
+ private:
+  static HWY_INLINE Floats dot(const Floats* a, const Floats* b) {
+    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
+  }
+  static HWY_INLINE void cross(const Floats* a, const Floats* b, Floats* result) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+      result[axis] = hn::MulSub(a[i], b[j], hn::Mul(a[j], b[i]));
+    }
+  }
+
+  const float* values_;
+  Floats origin_[3], direction_[3];
+  float reach_;
+};
+
 class ClosestFaces {
  public:
   HWY_INLINE ClosestFaces(const MeshTree& mesh, const Rays& rays, const Mask& active, const Numbers& limit,
@@ -97,6 +158,7 @@ class ClosestFaces {
         cull_(cull),
         reach_(reach_of(mesh, rays, active)),
         limit_(limit),
+        filter_(mesh, rays, reach_),
         going_(active),
         unusual(no_lanes()) {
     best.t = std::numeric_limits<double>::infinity();
@@ -106,8 +168,12 @@ class ClosestFaces {
 
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     Mask changed = no_lanes();
-    const Mask asked = mask_of(touching);
-    for (std::uint32_t i = first; i < first + count; ++i) {
+    const Floats furthest = filter_.furthest(limits());
+    for (std::uint32_t place = 0; place < count; ++place) {
+      const unsigned kept = touching & filter_.keep(first, count, place, furthest);
+      if (kept == 0) continue;
+      const std::uint32_t i = first + place;
+      const Mask asked = mask_of(kept);
       const Triangle triangle = mesh_.triangle(i);
       TriangleHits candidate;
       Mask unsure;
@@ -142,6 +208,7 @@ class ClosestFaces {
   bool cull_;
   double reach_;
   Numbers limit_;
+  FilterRays filter_;
   Mask going_;
 
  public:
@@ -161,14 +228,19 @@ class AnyFaces {
         scale_(scale),
         limit_(limit),
         furthest_(limit * scale * Numbers(1 + gamma(2))),
+        filter_(mesh, rays, reach_),
+        furthest_float_(filter_.furthest(furthest_)),
         going_(active),
         found(no_lanes()),
         unusual(no_lanes()) {}
 
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     const Mask before = going_;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      const Mask asked = mask_of(touching) & going_;
+    for (std::uint32_t place = 0; place < count; ++place) {
+      const unsigned kept = touching & filter_.keep(first, count, place, furthest_float_);
+      const Mask asked = mask_of(kept) & going_;
+      if (none(asked)) continue;
+      const std::uint32_t i = first + place;
       TriangleHits candidate;
       Mask unsure;
       Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, candidate, unsure);
@@ -192,6 +264,8 @@ class AnyFaces {
   const Rays& rays_;
   double reach_;
   Numbers scale_, limit_, furthest_;
+  FilterRays filter_;
+  Floats furthest_float_;
   Mask going_;
 
  public:
