@@ -66,7 +66,8 @@ class AnyFace {
         reach_(tree.reach_to(ray.origin)),
         scale_(scale),
         limit_(limit),
-        furthest_(limit * scale * (1 + gamma(2))) {}
+        furthest_(limit * scale * (1 + gamma(2))),
+        gaps_up_to_(limit * scale * gaps_before_light) {}
 
   double reach() const { return reach_; }
 
@@ -79,8 +80,10 @@ class AnyFace {
       found_ = true;
       return -1;
     }
-    gaps_.add({candidate, tree_.faces()[place].face, meeting == Meeting::edge_gap,
-               tree_.is_from_behind(place, ray_)});
+    if (candidate.t < gaps_up_to_) {
+      gaps_.add({candidate, tree_.faces()[place].face, meeting == Meeting::edge_gap,
+                 tree_.is_from_behind(place, ray_)});
+    }
     return limit;
   }
 
@@ -89,7 +92,7 @@ class AnyFace {
  private:
   const MeshTree& tree_;
   const Ray& ray_;
-  double reach_, scale_, limit_, furthest_;
+  double reach_, scale_, limit_, furthest_, gaps_up_to_;
   bool found_ = false;
   MeshGaps gaps_;
 };

@@ -6,6 +6,7 @@
 #define TRACE_ACCELERATION_PACKET_MESH_INL_HPP
 #endif
 
+#include "acceleration/mesh_gaps.hpp"
 #include "acceleration/mesh_tree.hpp"
 #include "acceleration/packet/traverse-inl.hpp"
 
@@ -19,7 +20,7 @@ struct TriangleHits {
 // meets() of geometry/triangle.hpp: the lanes that hit. `unsure` gets those that meets_after_all() must
 // decide. `reach` and `limit` may be larger than a lane's own, which changes no result.
 HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& active, double reach,
-                     const Numbers& limit, TriangleHits& hits, Mask& unsure) {
+                     const Numbers& limit, const Numbers& gap_limit, TriangleHits& hits, Mask& unsure) {
   const Vectors ab(triangle.ab), ac(triangle.ac);
   const Vectors p = cross(rays.direction, ac);
   const Numbers determinant = dot(ab, p);
@@ -57,7 +58,11 @@ HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& act
   const Mask certain = (u > bound) & (v > bound) & (u + v < whole - bound);
   const Mask by_course = (hits.u >= 0.0) & (hits.u <= 1.0) & (hits.v >= 0.0) & (hits.u + hits.v <= 1.0);
   const Mask open = without(left, certain | by_course);
-  unsure |= open;
+  if (any(open)) {
+    // t is a quotient of numbers that are off by t_bound and by less than bound; twice that for its rounding.
+    const Numbers t_error = 2.0 * (t_bound + abs(hits.t) * bound) / (whole - bound);
+    unsure |= without(open, (whole > bound) & (hits.t - t_error > gap_limit));
+  }
   return without(left, open) & (hits.t > rays.least_t);
 }
 
@@ -177,7 +182,7 @@ class ClosestFaces {
       const Triangle triangle = mesh_.triangle(i);
       TriangleHits candidate;
       Mask unsure;
-      Mask nearer = meet(triangle, rays_, asked, reach_, best.t, candidate, unsure);
+      Mask nearer = meet(triangle, rays_, asked, reach_, best.t, best.t, candidate, unsure);
       if (any(unsure)) {
         Mask gaps;
         meet_after_all(mesh_.corners(i), rays_, unsure, candidate, nearer, gaps);
@@ -228,6 +233,7 @@ class AnyFaces {
         scale_(scale),
         limit_(limit),
         furthest_(limit * scale * Numbers(1 + gamma(2))),
+        gaps_up_to_(limit * scale * Numbers(gaps_before_light)),
         filter_(mesh, rays, reach_),
         furthest_float_(filter_.furthest(furthest_)),
         going_(active),
@@ -243,13 +249,12 @@ class AnyFaces {
       const std::uint32_t i = first + place;
       TriangleHits candidate;
       Mask unsure;
-      Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, candidate, unsure);
+      Mask met = meet(mesh_.triangle(i), rays_, asked, reach_, furthest_, gaps_up_to_, candidate, unsure);
       Mask gaps = no_lanes();
       if (any(unsure)) meet_after_all(mesh_.corners(i), rays_, unsure, candidate, met, gaps);
       if (none(met | gaps)) continue;
-      const Mask within = candidate.t / scale_ < limit_;
-      const Mask hit = met & within;
-      gaps &= within;
+      const Mask hit = met & (candidate.t / scale_ < limit_);
+      gaps &= candidate.t < gaps_up_to_;
       found |= hit;
       unusual |= gaps;
       going_ = without(going_, hit | gaps);
@@ -263,7 +268,7 @@ class AnyFaces {
   const MeshTree& mesh_;
   const Rays& rays_;
   double reach_;
-  Numbers scale_, limit_, furthest_;
+  Numbers scale_, limit_, furthest_, gaps_up_to_;
   FilterRays filter_;
   Floats furthest_float_;
   Mask going_;

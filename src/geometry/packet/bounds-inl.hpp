@@ -42,8 +42,9 @@ struct Reciprocals {
 };
 
 // hits_bounds() of geometry/bounds.hpp. A product with the reciprocal is off by three roundings from the
-// quotient, which itself is off by one, or by what underflow loses; where that leaves open which comes first,
-// the quotients themselves are asked.
+// quotient, which itself is off by one; its sign is that of the quotient, for directions are of unit length
+// and so reciprocals at least one. Where that leaves open what comes first, the quotients themselves are
+// asked.
 HWY_INLINE Mask hit_bounds(const Bounds& b, const Rays& rays, const Reciprocals& inverse,
                            const Mask& active) {
   const Numbers x1 = (b.min.x - rays.origin.x) * inverse.of.x, x2 = (b.max.x - rays.origin.x) * inverse.of.x;
@@ -51,13 +52,12 @@ HWY_INLINE Mask hit_bounds(const Bounds& b, const Rays& rays, const Reciprocals&
   const Numbers z1 = (b.min.z - rays.origin.z) * inverse.of.z, z2 = (b.max.z - rays.origin.z) * inverse.of.z;
   const Numbers enter = greatest(least(x1, x2), greatest(least(y1, y2), least(z1, z2)));
   const Numbers leave = least(greatest(x1, x2), least(greatest(y1, y2), greatest(z1, z2)));
-  constexpr double smallest = std::numeric_limits<double>::min();
-  const Numbers slack = gamma(8) * (abs(enter) + abs(leave)) + smallest;
-  const Mask hit = (leave - enter > slack) & (leave > smallest);
-  const Mask missed = (enter - leave > slack) | (leave < -smallest);
-  const Mask open = without(active, inverse.finite & (hit | missed));
-  const Mask certain = active & hit & inverse.finite;
-  return none(open) ? certain : without(certain, open) | hit_bounds_exactly(b, rays, open);
+  const Numbers slack = gamma(8) * (abs(enter) + abs(leave)) + std::numeric_limits<double>::min();
+  const Numbers inside = leave - enter;
+  const Mask certain = active & inverse.finite & (abs(inside) > slack);
+  const Mask hit = certain & (least(inside, leave) >= 0.0);
+  const Mask open = without(active, certain);
+  return none(open) ? hit : hit | hit_bounds_exactly(b, rays, open);
 }
 
 }  // namespace trace::HWY_NAMESPACE

@@ -20,28 +20,33 @@ HWY_INLINE Mask intersect(const Box&, const Rays& rays, const Mask& active, Loca
   const Numbers d[3] = {rays.direction.x, rays.direction.y, rays.direction.z};
   hits.t = inf;
   Numbers best_face = -1.0;
-  Numbers enter = -inf, leave = inf;
-  Mask beside = no_lanes();
+  Numbers meets_at[6];
   for (int face = 0; face < 6; ++face) {
     const int axis = face % 3, next = (axis + 1) % 3, last = (axis + 2) % 3;
     const double plane = face / 3 - 0.5;
     const Numbers above = plane - o[axis];
-    const Numbers t = above / d[axis];
-    const Mask moves = !(d[axis] == 0.0);
+    const Numbers t = meets_at[face] = above / d[axis];
     const Numbers a = o[next] + t * d[next], b = o[last] + t * d[last];
-    const Mask meets = moves & (t > rays.least_t) & (t < hits.t) & !(abs(above) <= rays.origin_error) &
-                       (a >= -0.5) & (a <= 0.5) & (b >= -0.5) & (b <= 0.5);
+    // Along an axis on which the ray does not move t is infinite or not a number, and not below hits.t.
+    const Mask meets = (t > rays.least_t) & (t < hits.t) & !(abs(above) <= rays.origin_error) &
+                       (greatest(abs(a), abs(b)) <= 0.5);
     hits.t = select(meets, t, hits.t);
     best_face = select(meets, Numbers(face), best_face);
-    // Where the ray comes in and goes out of all pairs of planes.
-    const Mask comes_in = face < 3 ? d[axis] > 0.0 : d[axis] < 0.0;
-    enter = select(comes_in & (t > enter), t, enter);
-    leave = select(without(moves, comes_in) & (t < leave), t, leave);
-    if (face < 3) beside |= without(abs(o[axis]) > 0.5, moves);
   }
   const Mask found = active & (best_face >= 0.0);
-  // What face_across() of box.cpp might find is left to it.
-  unusual |= without(active, found | beside) & (leave >= enter) & (leave > rays.least_t);
+  // What face_across() of box.cpp might find is left to it: where the ray comes in through all pairs of
+  // planes before it goes out of any.
+  if (const Mask asked = without(active, found); any(asked)) {
+    Numbers enter = -inf, leave = inf;
+    Mask beside = no_lanes();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Mask still = d[axis] == 0.0;
+      beside |= still & (abs(o[axis]) > 0.5);
+      enter = greatest(enter, select(still, -inf, least(meets_at[axis], meets_at[axis + 3])));
+      leave = least(leave, select(still, inf, greatest(meets_at[axis], meets_at[axis + 3])));
+    }
+    unusual |= without(asked, beside) & (leave >= enter) & (leave > rays.least_t);
+  }
 
   const Vectors p = rays.at(hits.t);
   const Mask min_face = best_face < 3.0;
