@@ -1,11 +1,13 @@
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <exception>
 #include <optional>
 #include <system_error>
 #include <thread>
-#include <vector>
+
+#include "parallel/thread_elsewhere.hpp"
 
 namespace trace {
 
@@ -25,10 +27,11 @@ void on_threads(int threads, const std::function<void(int thread)>& work) {
     }
   };
   {
-    std::vector<std::jthread> helpers;
-    helpers.reserve(static_cast<std::size_t>(threads) - 1);
+    std::deque<ThreadElsewhere> helpers;
     try {
-      for (int thread = 1; thread < threads; ++thread) helpers.emplace_back(guarded, thread);
+      for (int thread = 1; thread < threads; ++thread) {
+        helpers.emplace_back([&guarded, thread] { guarded(thread); }, thread - 1);
+      }
     } catch (const std::system_error&) {
       // No more threads than these.
     }
@@ -61,7 +64,7 @@ void ThreadBudget::side_by_side(const std::function<void()>& a, const std::funct
     end();
   };
   {
-    std::optional<std::jthread> helper;
+    std::optional<ThreadElsewhere> helper;
     try {
       helper.emplace([&] { guarded(a, failure_of_a); });
     } catch (const std::system_error&) {

@@ -34,8 +34,10 @@ void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions
     store(seen.color.x, batch.red + i);
     store(seen.color.y, batch.green + i);
     store(seen.color.z, batch.blue + i);
-    const unsigned bits = bits_of(odd);
-    for (std::size_t k = 0; k < lanes; ++k) batch.left_out[i + k] = (bits >> k & 1) != 0;
+    std::fill_n(batch.left_out + i, lanes, false);
+    for (unsigned left = bits_of(odd); left != 0; left &= left - 1) {
+      batch.left_out[i + static_cast<std::size_t>(__builtin_ctz(left))] = true;
+    }
   }
   sum.primary += static_cast<std::uint64_t>(sum_of_lanes(primary));
   sum.reflected += static_cast<std::uint64_t>(sum_of_lanes(total.reflected));

@@ -97,7 +97,8 @@ unsigned hit_box(const Bounds& bounds, std::span<const Ray> given, unsigned acti
 }
 
 std::vector<ObjectRayAnswer> carry(const Frame& frame, std::span<const Ray> given) {
-  const ObjectRays local(frame, gather(given));
+  ObjectRays local;
+  local.carry(frame, gather(given));
   const RayLanes one(local.rays);
   const unsigned odd = bits_of(local.unusual);
   std::vector<ObjectRayAnswer> result;

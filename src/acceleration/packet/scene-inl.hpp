@@ -31,7 +31,7 @@ class FramePackets {
 
   HWY_INLINE const ObjectRays& in(std::uint32_t frame) {
     if (!known_ || frame_ != frame) {
-      rays_ = ObjectRays(scene_.frames[frame], world_);
+      rays_.carry(scene_.frames[frame], world_);
       frame_ = frame;
       known_ = true;
     }

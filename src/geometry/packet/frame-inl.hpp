@@ -53,17 +53,19 @@ struct ObjectRays {
   Numbers scale;
   Mask unusual;  // lanes that only the scalar code can carry
 
-  ObjectRays() = default;
-  HWY_INLINE ObjectRays(const Frame& frame, const Rays& world) : unusual(no_lanes()) {
-    const Vectors origin = point_times(frame.to_object, world.origin);
+  // Written in place: the whole is too large to be copied.
+  HWY_INLINE void carry(const Frame& frame, const Rays& world) {
+    unusual = no_lanes();
+    rays.origin = point_times(frame.to_object, world.origin);
     const Vectors end = point_times(frame.to_object, world.origin + world.direction);
-    UnitVectors along = unit_vectors(end - origin, unusual);
+    const UnitVectors along = unit_vectors(end - rays.origin, unusual);
     const Numbers furthest = largest(world.origin);
     unusual |= !(bound_at(frame.difference_bound(), furthest) <= 0x1p-40 * along.length);
     scale = along.length;
-    rays = {origin, along.direction,
-            frame.to_object_stretch * world.origin_error + bound_at(frame.error_bound(), furthest),
-            world.least_t * scale};
+    rays.direction = along.direction;
+    rays.origin_error =
+        frame.to_object_stretch * world.origin_error + bound_at(frame.error_bound(), furthest);
+    rays.least_t = world.least_t * scale;
   }
 };
 
