@@ -13,7 +13,7 @@ namespace trace::HWY_NAMESPACE {
 
 void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, int depth,
                  SampleBatch& batch, RayCounts& sum) {
-  const PacketScene world{scene, tree, options};
+  const PacketScene world{scene, tree, options, depth};
   Rays rays;
   rays.origin = Vectors(scene.camera.eye);
   rays.origin_error = rays.least_t = 0.0;

@@ -11,7 +11,7 @@ TEST_CASE("the program is not linked to OpenImageIO") {
   const auto list = folder.path() / "ldd";
   REQUIRE(std::system(("ldd '" TRACE_PROGRAM "' >'" + list.string() + "'").c_str()) == 0);
   const std::string libraries = read_text(list);
-  CHECK_THAT(libraries, Catch::Contains("libpng"));
+  CHECK_THAT(libraries, Catch::Contains("libc.so"));
   CHECK_THAT(libraries, !Catch::Contains("OpenImageIO"));
 }
 

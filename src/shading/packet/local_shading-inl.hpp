@@ -25,6 +25,7 @@ struct PacketScene {
   const Scene& scene;
   const SceneTree& tree;
   const ShadingOptions& options;
+  int depth;  // of the ray trees
 };
 
 // base to the power of exponent, as the library has it.

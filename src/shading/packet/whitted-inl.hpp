@@ -12,6 +12,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
+// Packets follow a tree this deep, for a level takes some 20 kB of the stack. What goes on deeper is odd.
+inline constexpr int max_packet_bounces = 64;
+
 enum class Kind { visibility, reflection, refraction };
 
 struct Seen {
@@ -94,6 +97,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void add_refracted(const PacketScene& world
 HWY_MAYBE_UNUSED static HWY_NOINLINE void trace_packet(const PacketScene& world, const Rays& rays,
                                                        const Mask& active, Kind kind, int depth, Seen& seen,
                                                        LaneCounts& counts, Mask& odd) {
+  if (world.depth - depth > max_packet_bounces) odd |= active;
   // Of rays that lead nowhere the scalar code knows what is seen.
   odd |= without(active, all_finite(0.0 * rays.origin + rays.direction) & !is_zero(rays.direction));
   const Mask going = without(active, odd);
