@@ -135,6 +135,40 @@ TEST_CASE("statistics count what was traced") {
                                  Catch::Contains("100 primary, 0 reflected, 0 refracted, 0 shadow\n"));
 }
 
+TEST_CASE("statistics say what was left out and why") {
+  const Desk desk;
+  write_text(desk.folder.path() / "plain.ray",
+             "SBT-raytracer 1.0\npoint_light { position = (0,0,3); color = (1,1,1); }\n"
+             "sphere { material = { diffuse = (1,0,0); } }\n");
+  const Outcome plain = desk.trace("--stats --instruction-set baseline -w 4 plain.ray out.png");
+  CHECK_THAT(plain.errors, Catch::Contains("kernels  baseline\n"
+                                           "hierarchy none: a handful of objects is a list\n"
+                                           "left out refracted rays, and shadow rays behind their first hit "
+                                           "(nothing lets light through)\n"
+                                           "left out reflected rays (nothing mirrors)\n"
+                                           "left out powers of highlights (nothing is specular)\n"));
+  write_text(desk.folder.path() / "glass.ray",
+             "SBT-raytracer 1.0\npoint_light { position = (0,0,3); color = (1,1,1); }\n"
+             "sphere { material = { specular = (1,0,0); reflective = (1,1,1); transmissive = (1,1,1); } }\n");
+  const Outcome glass = desk.trace("--stats -w 4 glass.ray out.png");
+  CHECK(glass.status == 0);
+  for (const char* used : {"left out refracted", "left out reflected", "left out powers"}) {
+    CHECK_THAT(glass.errors, !Catch::Contains(used));
+  }
+}
+
+TEST_CASE("an instruction set is asked for by name and changes no picture") {
+  const Desk desk;
+  CHECK(desk.trace("-q --instruction-set baseline -w 16 a.ray baseline.png").status == 0);
+  CHECK(desk.trace("-q -w 16 a.ray best.png").status == 0);
+  CHECK(read_text(desk.folder.path() / "baseline.png") == read_text(desk.folder.path() / "best.png"));
+  const Outcome unknown = desk.trace("--instruction-set mmx a.ray out.png");
+  CHECK(unknown.status == 2);
+  CHECK(unknown.errors ==
+        "trace: error: --instruction-set: 'mmx' is none of baseline, sse4, avx2 and avx512\n"
+        "Run 'trace --help' for how to use it.\n");
+}
+
 TEST_CASE("a cube map that cannot be used is a warning and the picture is drawn without it") {
   const Desk desk;
   const Outcome outcome = desk.trace("-w 4 -c nowhere/posx.png a.ray out.png");

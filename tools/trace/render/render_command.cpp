@@ -103,7 +103,9 @@ int run(Arguments& arguments) {
   add_cube_map(arguments, images, scene);
   statistics.lap(Stage::load);
 
-  const SceneTree tree(scene);
+  const int wanted = arguments.options.threads;
+  const int threads = wanted > 0 ? wanted : hardware_threads();
+  const SceneTree tree(scene, threads, arguments.options.instruction_set);
   statistics.lap(Stage::build);
 
   Progress progress;
@@ -115,8 +117,7 @@ int run(Arguments& arguments) {
   statistics.lap(Stage::render);
 
   try {
-    const int threads = arguments.options.threads;
-    write_image(arguments.output, rendered.image, threads > 0 ? threads : hardware_threads());
+    write_image(arguments.output, rendered.image, threads);
   } catch (const ImageError& e) {
     fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
     return exit_cannot_write;
@@ -126,7 +127,9 @@ int run(Arguments& arguments) {
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene == "-" ? "<stdin>" : arguments.scene,
                to_text(rendered.non_finite));
   }
-  if (arguments.stats) fmt::print(stderr, "{}", statistics.report(scene, loaded.times, rendered));
+  if (arguments.stats)
+    fmt::print(stderr, "{}",
+               statistics.report(scene, tree, arguments.options.instruction_set, loaded.times, rendered));
   return exit_done;
 }
 

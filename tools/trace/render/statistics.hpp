@@ -1,4 +1,5 @@
-// What `--stats` reports: what the scene holds, rays by kind, and the time of each stage.
+// What `--stats` reports: what the scene holds, rays by kind, the time of each stage, and what was
+// left out because the scene does not need it.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ class Statistics {
   void lap(Stage stage);
 
   // `load` are the parts of Stage::load.
-  std::string report(const Scene& scene, const LoadTimes& load, const Rendered& rendered) const;
+  std::string report(const Scene& scene, const SceneTree& tree, InstructionSet set, const LoadTimes& load,
+                     const Rendered& rendered) const;
 
  private:
   using Clock = std::chrono::steady_clock;
