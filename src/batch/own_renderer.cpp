@@ -42,7 +42,7 @@ bool render_to_file(const Job& job, const parser::Source& source, SharedImages& 
       return false;
     }
   }
-  const SceneTree tree(*loaded.scene);
+  const SceneTree tree(*loaded.scene, job.options.threads, job.options.instruction_set);
   Progress progress;
   const Rendered rendered = render(*loaded.scene, tree, job.options, progress);
   rays = rendered.rays.total();
