@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "comparison/heat_map.hpp"
-#include "comparison/parallel.hpp"
 #include "comparison/reasons.hpp"
 #include "comparison/same_bytes.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
@@ -49,8 +49,8 @@ class Judge {
     // One of two files with the same bytes is as good as the other.
     const bool same = same_bytes(reference_, test_);
     std::array<Loaded, 2> loaded;
-    in_parallel(same ? 1 : 2, options_.threads,
-                [&](std::size_t i) { loaded[i] = load(i == 0 ? reference_ : test_); });
+    parallel_for(static_cast<int>(options_.threads), same ? 1 : 2,
+                 [&](std::size_t i, int) { loaded[i] = load(i == 0 ? reference_ : test_); });
     const Loaded& second = same ? loaded[0] : loaded[1];
     if (both_readable(loaded[0], second)) compare(*loaded[0].raster, *second.raster);
     return std::move(judgement_);

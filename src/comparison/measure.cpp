@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "comparison/edge_tolerant.hpp"
-#include "comparison/parallel.hpp"
 #include "comparison/percentiles.hpp"
 #include "comparison/perceptual/flip.hpp"
 #include "comparison/perceptual/ssim.hpp"
 #include "comparison/pixel_differences.hpp"
 #include "comparison/worst_regions.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
@@ -75,17 +75,17 @@ Measurements measure(const Raster& reference, const Raster& test, const MeasureO
     Flip::Scratch flip;
     Ssim::Scratch ssim;
   };
-  in_parallel_with<Scratch>(flip_parts + ssim_parts + 3, options.threads,
-                            [&](std::size_t part, Scratch& scratch) {
-                              if (part == 0)
-                                result.edge_tolerant = edge_tolerant(reference, test, differences);
-                              if (part == 1) result.percentiles = percentiles(differences.levels);
-                              if (part == 2) result.worst = worst_regions(reference, test, differences);
-                              if (part >= 3 + flip_parts)
-                                ssim->measure_part(part - 3 - flip_parts, scratch.ssim);
-                              else if (part >= 3)
-                                flip->measure_part(part - 3, scratch.flip);
-                            });
+  parallel_for_with(
+      static_cast<int>(options.threads), flip_parts + ssim_parts + 3, [](int) { return Scratch(); },
+      [&](std::size_t part, Scratch& scratch) {
+        if (part == 0) result.edge_tolerant = edge_tolerant(reference, test, differences);
+        if (part == 1) result.percentiles = percentiles(differences.levels);
+        if (part == 2) result.worst = worst_regions(reference, test, differences);
+        if (part >= 3 + flip_parts)
+          ssim->measure_part(part - 3 - flip_parts, scratch.ssim);
+        else if (part >= 3)
+          flip->measure_part(part - 3, scratch.flip);
+      });
   if (ssim) result.ssim = ssim->mean();
   if (flip) result.flip = flip->mean();
   return result;

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "comparison/background.hpp"
-#include "comparison/parallel.hpp"
 #include "comparison/row_sums.hpp"
+#include "parallel/parallel.hpp"
 
 namespace trace {
 namespace {
@@ -162,7 +162,7 @@ PixelDifferences pixel_differences(const Raster& reference, const Raster& test, 
   const std::vector<float> background = background_of(reference);
   std::vector<PixelDifferences> bands(
       static_cast<std::size_t>((reference.height + band_height - 1) / band_height));
-  in_parallel(bands.size(), threads, [&](std::size_t i) {
+  parallel_for(static_cast<int>(threads), bands.size(), [&](std::size_t i, int) {
     const int from = static_cast<int>(i) * band_height;
     const int to = std::min(from + band_height, reference.height);
     bands[i] = Band(reference, test, background, all).run(from, to);

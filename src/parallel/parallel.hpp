@@ -16,21 +16,30 @@ int hardware_threads();
 // left out, so the work must not be divided by the number of threads.
 void on_threads(int threads, const std::function<void(int thread)>& work);
 
-// Calls body(index, thread) once for every index below `count`, in any order, on at most `threads` threads
-// (thread is below that; 0 is the caller's) and no more than there are indices. An index goes to whichever
-// thread is free. After an exception no more of them are given out; the first one is thrown again.
-template <class Body>
-void parallel_for(int threads, std::size_t count, Body&& body) {
+// Calls body(index, scratch) once for every index below `count`, in any order, on at most `threads` threads
+// (the caller's is one) and no more than there are indices; each has a Scratch, made by make(thread). An
+// index goes to whichever thread is free. After an exception no more of them are given out; the first one is
+// thrown again.
+template <class Make, class Body>
+void parallel_for_with(int threads, std::size_t count, Make&& make, Body&& body) {
   std::atomic<std::size_t> next{0};
   const int most = count < static_cast<std::size_t>(threads) ? static_cast<int>(count) : threads;
   on_threads(most, [&](int thread) {
     try {
-      for (std::size_t i = next++; i < count; i = next++) body(i, thread);
+      auto scratch = make(thread);
+      for (std::size_t i = next++; i < count; i = next++) body(i, scratch);
     } catch (...) {
       next = count;
       throw;
     }
   });
+}
+
+// The same for a body(index, thread); thread is below `threads`, 0 is the caller's.
+template <class Body>
+void parallel_for(int threads, std::size_t count, Body&& body) {
+  parallel_for_with(
+      threads, count, [](int thread) { return thread; }, body);
 }
 
 // Threads for work that divides itself: within either part of both(), both() may be called again.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "parallel/parallel.hpp"
@@ -99,14 +98,15 @@ template <class Body>
 void FrameRenderer::for_each_tile(int edge, Body&& body) {
   const int columns = (width() + edge - 1) / edge, rows = (height_ + edge - 1) / edge;
   const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-  std::vector<std::optional<Sampler>> samplers(counts_.size());  // a thread each, made by it
-  parallel_for(static_cast<int>(counts_.size()), tiles, [&](std::size_t tile, int thread) {
-    std::optional<Sampler>& sampler = samplers[static_cast<std::size_t>(thread)];
-    if (!sampler) sampler.emplace(*this, counts_[static_cast<std::size_t>(thread)].rays);
+  const auto sampler_of = [&](int thread) {
+    return Sampler(*this, counts_[static_cast<std::size_t>(thread)].rays);
+  };
+  const int threads = static_cast<int>(counts_.size());
+  parallel_for_with(threads, tiles, sampler_of, [&](std::size_t tile, const Sampler& sampler) {
     const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * edge;
     const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * edge;
     const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
-    body(*sampler, x0, y0, x1, y1);
+    body(sampler, x0, y0, x1, y1);
     progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
   });
 }
