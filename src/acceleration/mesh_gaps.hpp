@@ -20,8 +20,8 @@ struct MeshGap {
   bool from_behind;  // the face is seen from behind
 };
 
-// A gap further along a shadow ray than this part of the way to the light hides nothing: it is at the place of
-// the light, which may lie in a corner of the mesh. The plain form's t tells so much of faces down to a
+// A gap further along a shadow ray than this part of the way to the light hides nothing: it is at the place
+// of the light, which may lie in a corner of the mesh. The plain form's t tells so much of faces down to a
 // thousandth of the way, seen at a degree or more (64 u times size over height), without asking exactly.
 inline constexpr double gaps_before_light = 1 - 0x1p-32;
 

@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "acceleration/triangle_filter-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -68,45 +70,19 @@ HWY_INLINE unsigned meets_boxes(const LaneRay& ray, const BvhNode& node, float l
   return bits;
 }
 
-HWY_INLINE Lanes dot(const Lanes* a, const Lanes* b) {
-  return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
-}
-
-HWY_INLINE void cross(const Lanes* a, const Lanes* b, Lanes* result) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    result[axis] = hn::MulSub(a[i], b[j], hn::Mul(a[j], b[i]));
-  }
-}
-
 // A bit for each triangle of a leaf that the filter does not reject (triangle_filter.hpp).
 HWY_INLINE unsigned meets_triangles(const LaneRay& ray, const float* filter, std::uint32_t count,
                                     float furthest) {
   const Floats d;
+  const Lanes limit = hn::Set(d, furthest);
   unsigned bits = 0;
   for (std::size_t first = 0; first < bvh_width; first += lanes) {
     if (first >= count) break;
     const auto run = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, filter + i * count + first); };
+    const Lanes corner[3] = {run(0), run(1), run(2)};
     const Lanes ab[3] = {run(3), run(4), run(5)}, ac[3] = {run(6), run(7), run(8)};
-    const Lanes from_a[3] = {hn::Sub(ray.origin[0], run(0)), hn::Sub(ray.origin[1], run(1)),
-                             hn::Sub(ray.origin[2], run(2))};
-    const Lanes size = run(9);
-    const Lanes bound = hn::Mul(hn::Mul(hn::Set(d, 64 * 0x1p-24f), size), hn::Add(ray.reach, size));
-    Lanes p[3], q[3];
-    cross(ray.direction, ac, p);
-    cross(from_a, ab, q);
-    const Lanes determinant = dot(ab, p);
-    const Lanes sign = hn::And(determinant, hn::Set(d, -0.0f));
-    const Lanes whole = hn::Xor(determinant, sign);
-    const Lanes u = hn::Xor(dot(from_a, p), sign), v = hn::Xor(dot(ray.direction, q), sign);
-    const Lanes t = hn::Xor(dot(ac, q), sign);
-    const Lanes below = hn::Neg(bound), above = hn::Add(whole, bound);
-    const auto beside = hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Gt(hn::Add(u, v), above));
-    const auto before_or_beyond =
-        hn::Or(hn::Lt(t, hn::Mul(below, size)),
-               hn::Gt(t, hn::MulAdd(hn::Set(d, furthest), above, hn::Mul(bound, size))));
-    const auto missed = hn::And(hn::Gt(whole, bound), hn::Or(beside, before_or_beyond));
-    bits |= bits_of(hn::Not(missed)) << first;
+    bits |= bits_of(may_meet(d, ray.origin, ray.direction, ray.reach, limit, corner, ab, ac, run(9)))
+            << first;
   }
   return bits & ((1u << count) - 1);
 }

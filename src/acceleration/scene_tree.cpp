@@ -34,8 +34,7 @@ class FrameRays {
 }  // namespace
 
 SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set) : scene_(scene) {
-  if (threads == 0) threads = hardware_threads();
-  ThreadBudget budget(threads);
+  ThreadBudget budget(threads_or_all(threads));
   if (scene.objects.size() > max_unsorted) {
     Bounds all;
     for (const Object& object : scene.objects) all.add(object.bounds);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string_view>
 
 #include "image/png.hpp"
@@ -53,13 +52,12 @@ std::vector<PackedStripe> pack(const Image& image, int threads) {
   std::vector<PackedStripe> stripes(static_cast<std::size_t>((image.height + rows - 1) / rows));
   // A stripe takes some 0.15 ms: two are the least that is worth a thread.
   const int most = std::max(1, std::min(threads, static_cast<int>(stripes.size()) / 2));
-  std::vector<std::optional<StripePacker>> packers(static_cast<std::size_t>(most));
-  parallel_for(most, stripes.size(), [&](std::size_t i, int thread) {
-    std::optional<StripePacker>& packer = packers[static_cast<std::size_t>(thread)];
-    if (!packer) packer.emplace();
-    const int first = static_cast<int>(i) * rows;
-    stripes[i] = packer->pack(image, first, std::min(first + rows, image.height));
-  });
+  parallel_for_with(
+      most, stripes.size(), [](int) { return StripePacker(); },
+      [&](std::size_t i, StripePacker& packer) {
+        const int first = static_cast<int>(i) * rows;
+        stripes[i] = packer.pack(image, first, std::min(first + rows, image.height));
+      });
   return stripes;
 }
 

@@ -11,6 +11,11 @@ namespace trace {
 // As many as the machine runs at once; at least 1.
 int hardware_threads();
 
+// As many as wanted; where that is 0, as many as the machine runs at once.
+inline int threads_or_all(int wanted) {
+  return wanted > 0 ? wanted : hardware_threads();
+}
+
 // Calls work(thread) for 0 .. threads - 1 side by side, 0 on the caller's own thread, and returns when all
 // have ended; the first exception of any of them is then thrown again. A thread that the system refuses is
 // left out, so the work must not be divided by the number of threads.

@@ -79,8 +79,7 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
   const bool refine = options.antialiasing.enabled && options.antialiasing.supersamples > 1;
   progress.total = refine ? 2 * pixels : pixels;
-  const int threads = options.threads > 0 ? options.threads : hardware_threads();
-  FrameRenderer frame(scene, tree, options, height, threads, progress);
+  FrameRenderer frame(scene, tree, options, height, threads_or_all(options.threads), progress);
   if (options.blocks.threshold > 0) {
     render_blocks(frame, result.image);
   } else {

@@ -35,9 +35,7 @@ void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions
     store(seen.color.y, batch.green + i);
     store(seen.color.z, batch.blue + i);
     std::fill_n(batch.left_out + i, lanes, false);
-    for (unsigned left = bits_of(odd); left != 0; left &= left - 1) {
-      batch.left_out[i + static_cast<std::size_t>(__builtin_ctz(left))] = true;
-    }
+    for (const std::size_t k : each_lane(odd)) batch.left_out[i + k] = true;
   }
   sum.primary += static_cast<std::uint64_t>(sum_of_lanes(primary));
   sum.reflected += static_cast<std::uint64_t>(sum_of_lanes(total.reflected));

@@ -16,14 +16,9 @@ using test::ShapeAnswer;
 
 // Lanes beyond the last get what it has.
 Vectors gather(std::span<const Vec3> v) {
-  Lanes x, y, z;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const Vec3& one = v[std::min(i, v.size() - 1)];
-    x.at[i] = one.x;
-    y.at[i] = one.y;
-    z.at[i] = one.z;
-  }
-  return {x.numbers(), y.numbers(), z.numbers()};
+  VectorLanes result;
+  for (std::size_t i = 0; i < lanes; ++i) result.set(i, v[std::min(i, v.size() - 1)]);
+  return result.vectors();
 }
 Numbers gather(std::span<const double> v) {
   Lanes result;
@@ -43,7 +38,7 @@ Rays gather(std::span<const Ray> rays) {
 }
 
 Vec3 vector_at(const Vectors& v, std::size_t i) {
-  return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};
+  return VectorLanes(v)[i];
 }
 LocalHit hit_at(const LocalHits& hits, std::size_t i) {
   LocalHit hit;
@@ -54,24 +49,13 @@ LocalHit hit_at(const LocalHits& hits, std::size_t i) {
   return hit;
 }
 
-// Calls with the shape's own type.
-template <class Call>
-auto with_shape(const Shape& shape, const Call& call) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return call(*sphere);
-  if (const auto* box = std::get_if<Box>(&shape)) return call(*box);
-  if (const auto* square = std::get_if<Square>(&shape)) return call(*square);
-  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return call(*cylinder);
-  return call(std::get<Cone>(shape));
-}
-
 std::vector<ShapeAnswer> intersect_shape(const Shape& shape, std::span<const Ray> given, unsigned active) {
   const Rays rays = gather(given);
   LocalHits hits;
   hits.t = hits.u = hits.v = hits.part = 0.0;
   hits.normal = {0.0, 0.0, 0.0};
   Mask unusual = no_lanes();
-  const unsigned found = bits_of(with_shape(
-      shape, [&](const auto& s) HWY_ATTR { return intersect(s, rays, mask_of(active), hits, unusual); }));
+  const unsigned found = bits_of(intersect_primitive(shape, rays, mask_of(active), hits, unusual));
   const unsigned odd = bits_of(unusual);
   std::vector<ShapeAnswer> result(given.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
@@ -84,8 +68,8 @@ std::vector<ShapeAnswer> intersect_shape(const Shape& shape, std::span<const Ray
 
 std::vector<double> distance_to(const Shape& shape, std::span<const Vec3> points,
                                 std::span<const Vec3> normals) {
-  const Numbers all =
-      with_shape(shape, [&](const auto& s) HWY_ATTR { return distance(s, gather(points), gather(normals)); });
+  const Numbers all = with_primitive(
+      shape, [&](const auto& s) HWY_ATTR { return distance(s, gather(points), gather(normals)); });
   std::vector<double> result;
   for (std::size_t i = 0; i < points.size(); ++i) result.push_back(lane(all, i));
   return result;

@@ -9,6 +9,7 @@
 #include "acceleration/mesh_gaps.hpp"
 #include "acceleration/mesh_tree.hpp"
 #include "acceleration/packet/traverse-inl.hpp"
+#include "acceleration/triangle_filter-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
@@ -18,7 +19,8 @@ struct TriangleHits {
 };
 
 // meets() of geometry/triangle.hpp: the lanes that hit. `unsure` gets those that meets_after_all() must
-// decide. `reach` and `limit` may be larger than a lane's own, which changes no result.
+// decide. `reach` and `limit` may be larger than a lane's own, which changes no result. Gaps count only up to
+// `gap_limit`: a ray that the course's form sees miss the triangle beyond that needs no decision.
 HWY_INLINE Mask meet(const Triangle& triangle, const Rays& rays, const Mask& active, double reach,
                      const Numbers& limit, const Numbers& gap_limit, TriangleHits& hits, Mask& unsure) {
   const Vectors ab(triangle.ab), ac(triangle.ac);
@@ -73,8 +75,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void meet_after_all(const Corners& corners,
   const RayLanes one(rays);
   Lanes t(hits.t), u(hits.u), v(hits.v);
   unsigned found = 0, gap = 0;
-  for (unsigned left = bits_of(unsure); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+  for (const std::size_t i : each_lane(unsure)) {
     TriangleHit result{0, 0, 0};
     const Meeting meeting = meets_after_all(corners, one[i], result);
     if (meeting == Meeting::none) continue;
@@ -93,8 +94,7 @@ HWY_INLINE double reach_of(const MeshTree& mesh, const Rays& rays, const Mask& a
   return largest_lane(active, sum_of_sizes(rays.origin - Vectors(mesh.centre())), 0.0) + mesh.radius();
 }
 
-// The filter of triangle_filter.hpp for packets: one triangle of a leaf and many rays, where there it is one
-// ray and the triangles of a leaf. Products may be fused with sums; its bounds allow for either.
+// FilterRay for packets.
 class FilterRays {
  public:
   // `reach` is reach_of() the rays.
@@ -117,38 +117,12 @@ class FilterRays {
     const FloatTag f;
     const float* const at = values_ + TriangleFilter::floats * first + place;
     const auto value = [&](std::size_t run) HWY_ATTR { return hn::Set(f, at[run * count]); };
+    const Floats corner[3] = {value(0), value(1), value(2)};
     const Floats ab[3] = {value(3), value(4), value(5)}, ac[3] = {value(6), value(7), value(8)};
-    const Floats from_a[3] = {hn::Sub(origin_[0], value(0)), hn::Sub(origin_[1], value(1)),
-                              hn::Sub(origin_[2], value(2))};
-    const float size = at[9 * count];
-    const Floats bound = hn::Set(f, 64 * 0x1p-24f * size * (reach_ + size));
-    Floats p[3], q[3];
-    cross(direction_, ac, p);
-    const Floats determinant = dot(ab, p);
-    const Floats sign = hn::And(determinant, hn::Set(f, -0.0f));
-    const Floats whole = hn::Xor(determinant, sign);
-    const Floats u = hn::Xor(dot(from_a, p), sign);
-    cross(from_a, ab, q);
-    const Floats v = hn::Xor(dot(direction_, q), sign), t = hn::Xor(dot(ac, q), sign);
-    const Floats below = hn::Neg(bound), above = hn::Add(whole, bound);
-    const Floats t_bound = hn::Mul(bound, hn::Set(f, size));
-    const auto beside = hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Gt(hn::Add(u, v), above));
-    const auto before_or_beyond =
-        hn::Or(hn::Lt(t, hn::Neg(t_bound)), hn::Gt(t, hn::MulAdd(furthest, above, t_bound)));
-    return bits_of(hn::Not(hn::And(hn::Gt(whole, bound), hn::Or(beside, before_or_beyond))));
+    return bits_of(may_meet(f, origin_, direction_, hn::Set(f, reach_), furthest, corner, ab, ac, value(9)));
   }
 
  private:
-  static HWY_INLINE Floats dot(const Floats* a, const Floats* b) {
-    return hn::MulAdd(a[2], b[2], hn::MulAdd(a[1], b[1], hn::Mul(a[0], b[0])));
-  }
-  static HWY_INLINE void cross(const Floats* a, const Floats* b, Floats* result) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-      result[axis] = hn::MulSub(a[i], b[j], hn::Mul(a[j], b[i]));
-    }
-  }
-
   const float* values_;
   Floats origin_[3], direction_[3];
   float reach_;

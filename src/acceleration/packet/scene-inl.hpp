@@ -24,6 +24,21 @@ struct Hits {
   LocalHits local;
 };
 
+// Calls with the shape's own type; not for meshes.
+template <class Call>
+HWY_INLINE auto with_primitive(const Shape& shape, const Call& call) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return call(*sphere);
+  if (const auto* box = std::get_if<Box>(&shape)) return call(*box);
+  if (const auto* square = std::get_if<Square>(&shape)) return call(*square);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return call(*cylinder);
+  return call(std::get<Cone>(shape));
+}
+
+HWY_INLINE Mask intersect_primitive(const Shape& shape, const Rays& rays, const Mask& asked, LocalHits& hits,
+                                    Mask& odd) {
+  return with_primitive(shape, [&](const auto& s) HWY_ATTR { return intersect(s, rays, asked, hits, odd); });
+}
+
 // The rays of a packet in the space of one object after another.
 class FramePackets {
  public:
@@ -95,17 +110,7 @@ class ClosestObjects {
     if (const auto* mesh = std::get_if<MeshId>(&shape)) {
       return intersect_mesh(tree_.mesh(*mesh), local.rays, asked, best.t * local.scale, cull_, hits, odd);
     }
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-      return intersect(*sphere, local.rays, asked, hits, odd);
-    }
-    if (const auto* box = std::get_if<Box>(&shape)) return intersect(*box, local.rays, asked, hits, odd);
-    if (const auto* square = std::get_if<Square>(&shape)) {
-      return intersect(*square, local.rays, asked, hits, odd);
-    }
-    if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-      return intersect(*cylinder, local.rays, asked, hits, odd);
-    }
-    return intersect(std::get<Cone>(shape), local.rays, asked, hits, odd);
+    return intersect_primitive(shape, local.rays, asked, hits, odd);
   }
 
   const Scene& scene_;
@@ -159,18 +164,7 @@ class AnyObjects {
       return occluded_by_mesh(tree_.mesh(*mesh), local.rays, asked, local.scale, limit_, odd);
     }
     LocalHits hits;
-    Mask hit;
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-      hit = intersect(*sphere, local.rays, asked, hits, odd);
-    } else if (const auto* box = std::get_if<Box>(&shape)) {
-      hit = intersect(*box, local.rays, asked, hits, odd);
-    } else if (const auto* square = std::get_if<Square>(&shape)) {
-      hit = intersect(*square, local.rays, asked, hits, odd);
-    } else if (const auto* cylinder = std::get_if<Cylinder>(&shape)) {
-      hit = intersect(*cylinder, local.rays, asked, hits, odd);
-    } else {
-      hit = intersect(std::get<Cone>(shape), local.rays, asked, hits, odd);
-    }
+    const Mask hit = intersect_primitive(shape, local.rays, asked, hits, odd);
     return hit & (hits.t / local.scale < limit_);
   }
 
@@ -205,10 +199,9 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void closest(const Scene& scene, const Scen
   if (none(leaf.unusual)) return;
   const RayLanes one(rays);
   Lanes t(result.t), object(result.object), local_t(result.local.t), u(result.local.u), v(result.local.v),
-      part(result.local.part), nx(result.local.normal.x), ny(result.local.normal.y),
-      nz(result.local.normal.z);
-  for (unsigned left = bits_of(leaf.unusual); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      part(result.local.part);
+  VectorLanes normal(result.local.normal);
+  for (const std::size_t i : each_lane(leaf.unusual)) {
     const Hit hit = tree.closest(one[i], cull);
     t.at[i] = hit.t;
     object.at[i] = hit.object;
@@ -216,17 +209,11 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void closest(const Scene& scene, const Scen
     u.at[i] = hit.local.uv.x;
     v.at[i] = hit.local.uv.y;
     part.at[i] = hit.local.part;
-    nx.at[i] = hit.local.normal.x;
-    ny.at[i] = hit.local.normal.y;
-    nz.at[i] = hit.local.normal.z;
+    normal.set(i, hit.local.normal);
   }
   result = {t.numbers(),
             object.numbers(),
-            {local_t.numbers(),
-             {nx.numbers(), ny.numbers(), nz.numbers()},
-             u.numbers(),
-             v.numbers(),
-             part.numbers()}};
+            {local_t.numbers(), normal.vectors(), u.numbers(), v.numbers(), part.numbers()}};
 }
 
 // Which rays hit anything nearer than `limit`.
@@ -239,8 +226,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Mask occluded(const Scene& scene, const Sce
   const RayLanes one(rays);
   const Lanes limits(limit);
   unsigned found = bits_of(leaf.found);
-  for (unsigned left = bits_of(leaf.unusual); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+  for (const std::size_t i : each_lane(leaf.unusual)) {
     if (tree.occluded(one[i], limits.at[i])) found |= 1u << i;
   }
   return mask_of(found);

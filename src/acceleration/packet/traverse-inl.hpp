@@ -48,7 +48,7 @@ class PacketRays {
   HWY_INLINE PacketRays(const Bvh& bvh, const Rays& rays, const Mask& some) {
     const Numbers* const origin[3] = {&rays.origin.x, &rays.origin.y, &rays.origin.z};
     const Numbers* const direction[3] = {&rays.direction.x, &rays.direction.y, &rays.direction.z};
-    const auto first = static_cast<std::size_t>(__builtin_ctz(bits_of(some)));
+    const std::size_t first = first_lane(bits_of(some));
     const FloatTag f;
     for (int axis = 0; axis < 3; ++axis) {
       // Lanes that do not count get the numbers of one that does.
@@ -124,9 +124,9 @@ HWY_INLINE Floats upper_limits(const Bvh& bvh, const Numbers& limit, unsigned so
   return hn::IfThenElse(hn::Lt(narrow, hn::Zero(f)), narrow, hn::Add(narrow, hn::Set(f, bvh.slack)));
 }
 
-// Calls leaf(first, count, lanes) for each leaf that some lanes may touch within the limits that
-// leaf.limits() has at the time; near ones first as far as boxes tell. It returns the lanes that want to go
-// on. `some` are lanes whose directions have the same signs.
+// Calls leaf.visit(first, count, lanes) for each leaf that some lanes may touch within the limits that
+// leaf.limits() has at the time; near ones first as far as boxes tell. It returns whether limits() or
+// going(), the lanes that want to go on, have changed. `some` are lanes whose directions have the same signs.
 template <class Leaf>
 HWY_INLINE void traverse_alike(const Bvh& bvh, const Rays& rays, unsigned some, Leaf& leaf) {
   struct Entry {
@@ -178,14 +178,14 @@ HWY_INLINE void traverse_alike(const Bvh& bvh, const Rays& rays, unsigned some, 
   }
 }
 
-// `leaf.visit` returns whether limits() or going() have changed.
+// The same for any lanes.
 template <class Leaf>
 HWY_INLINE void traverse(const Bvh& bvh, const Rays& rays, const Mask& active, Leaf& leaf) {
   if (bvh.nodes.empty()) return;
   const unsigned signs[3] = {bits_of(is_negative(rays.direction.x)), bits_of(is_negative(rays.direction.y)),
                              bits_of(is_negative(rays.direction.z))};
   for (unsigned left = bits_of(active); left != 0;) {
-    const int first = __builtin_ctz(left);
+    const std::size_t first = first_lane(left);
     unsigned alike = left;
     for (const unsigned sign : signs) alike &= (sign >> first & 1) != 0 ? sign : ~sign;
     left &= ~alike;

@@ -74,6 +74,28 @@ HWY_INLINE unsigned bits_of(const Mask& m) {
   hn::StoreMaskBits(Tag(), m.high, high);
   return low[0] | static_cast<unsigned>(high[0]) << half;
 }
+// The lanes of a mask one after another: for (const std::size_t i : each_lane(bits)).
+struct each_lane {
+  unsigned bits;
+
+  struct Place {
+    unsigned left;
+    HWY_INLINE std::size_t operator*() const { return static_cast<std::size_t>(__builtin_ctz(left)); }
+    HWY_INLINE Place& operator++() {
+      left &= left - 1;
+      return *this;
+    }
+    HWY_INLINE bool operator!=(const Place& other) const { return left != other.left; }
+  };
+  HWY_INLINE explicit each_lane(unsigned lane_bits) : bits(lane_bits) {}
+  HWY_INLINE explicit each_lane(const Mask& m) : bits(bits_of(m)) {}
+  HWY_INLINE Place begin() const { return {bits}; }
+  HWY_INLINE Place end() const { return {0}; }
+};
+HWY_INLINE std::size_t first_lane(unsigned bits) {
+  return *each_lane(bits).begin();
+}
+
 HWY_INLINE Mask mask_of(unsigned bits) {
   const std::uint8_t low[8] = {static_cast<std::uint8_t>(bits)};
   const std::uint8_t high[8] = {static_cast<std::uint8_t>(bits >> half)};

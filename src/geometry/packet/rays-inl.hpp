@@ -99,22 +99,30 @@ HWY_INLINE LocalHits select(const Mask& m, const LocalHits& yes, const LocalHits
           select(m, yes.v, no.v), select(m, yes.part, no.part)};
 }
 
+// Vectors one by one.
+struct VectorLanes {
+  Lanes x, y, z;
+
+  VectorLanes() = default;
+  HWY_INLINE explicit VectorLanes(const Vectors& v) : x(v.x), y(v.y), z(v.z) {}
+  HWY_INLINE void set(std::size_t i, const Vec3& v) {
+    x.at[i] = v.x;
+    y.at[i] = v.y;
+    z.at[i] = v.z;
+  }
+  HWY_INLINE Vec3 operator[](std::size_t i) const { return {x.at[i], y.at[i], z.at[i]}; }
+  HWY_INLINE Vectors vectors() const { return {x.numbers(), y.numbers(), z.numbers()}; }
+};
+
 // Rays one by one.
 struct RayLanes {
-  Lanes ox, oy, oz, dx, dy, dz, origin_error, least_t;
+  VectorLanes origin, direction;
+  Lanes origin_error, least_t;
 
   HWY_INLINE explicit RayLanes(const Rays& r)
-      : ox(r.origin.x),
-        oy(r.origin.y),
-        oz(r.origin.z),
-        dx(r.direction.x),
-        dy(r.direction.y),
-        dz(r.direction.z),
-        origin_error(r.origin_error),
-        least_t(r.least_t) {}
+      : origin(r.origin), direction(r.direction), origin_error(r.origin_error), least_t(r.least_t) {}
   HWY_INLINE Ray operator[](std::size_t i) const {
-    return {Vec3(ox.at[i], oy.at[i], oz.at[i]), Vec3(dx.at[i], dy.at[i], dz.at[i]), origin_error.at[i],
-            least_t.at[i]};
+    return {origin[i], direction[i], origin_error.at[i], least_t.at[i]};
   }
 };
 

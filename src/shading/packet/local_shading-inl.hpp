@@ -32,8 +32,7 @@ struct PacketScene {
 HWY_INLINE Numbers power(const Numbers& base, const Numbers& exponent, const Mask& some) {
   Lanes b(base);
   const Lanes e(exponent);
-  for (unsigned left = bits_of(some); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+  for (const std::size_t i : each_lane(some)) {
     b.at[i] = std::pow(b.at[i], e.at[i]);
   }
   return b.numbers();
@@ -99,17 +98,14 @@ struct LightSamples {
   Numbers attenuation;
 };
 
-HWY_INLINE LightSamples sample_of(const DirectionalLight& light, const Surfaces& surface, Mask& reached,
-                                  Mask&) {
+HWY_INLINE LightSamples sample_of(const DirectionalLight& light, const Vectors&, Mask& reached, Mask&) {
   const LightSample one = light.sample(Vec3(0));
   if (!one.reaches) reached = no_lanes();
-  (void)surface;
   return {one.towards, one.distance, one.attenuation};
 }
 
-HWY_INLINE LightSamples sample_of(const PointLight& light, const Surfaces& surface, Mask& reached,
-                                  Mask& odd) {
-  const Vectors to_light = Vectors(light.position) - surface.point;
+HWY_INLINE LightSamples sample_of(const PointLight& light, const Vectors& point, Mask& reached, Mask& odd) {
+  const Vectors to_light = Vectors(light.position) - point;
   const Numbers square = dot(to_light, to_light);
   const Mask regular =
       (square >= std::numeric_limits<double>::min()) & (square <= std::numeric_limits<double>::max());
@@ -145,7 +141,7 @@ HWY_INLINE void add_light(const PacketScene& world, const Light& light, const Su
                           const Vectors& normal, const Vectors& to_viewer, const Mask& lit, bool may_skip,
                           Vectors& color, LaneCounts& counts, Mask& odd) {
   Mask reached = without(lit, odd);
-  const LightSamples sample = sample_of(light, surface, reached, odd);
+  const LightSamples sample = sample_of(light, surface.point, reached, odd);
   if (none(reached)) return;
   const Materials& material = surface.material;
   const Mask transmits = !is_zero(material.transmissive);

@@ -43,20 +43,6 @@ HWY_INLINE Materials select(const Mask& m, const Materials& yes, const Materials
   return result;
 }
 
-struct VectorLanes {
-  Lanes x, y, z;
-
-  VectorLanes() = default;
-  HWY_INLINE explicit VectorLanes(const Vectors& v) : x(v.x), y(v.y), z(v.z) {}
-  HWY_INLINE void set(std::size_t i, const Vec3& v) {
-    x.at[i] = v.x;
-    y.at[i] = v.y;
-    z.at[i] = v.z;
-  }
-  HWY_INLINE Vec3 operator[](std::size_t i) const { return {x.at[i], y.at[i], z.at[i]}; }
-  HWY_INLINE Vectors vectors() const { return {x.numbers(), y.numbers(), z.numbers()}; }
-};
-
 // Materials that differ from lane to lane.
 struct MaterialLanes {
   VectorLanes emissive, ambient, diffuse, specular, reflective, transmissive;
@@ -86,17 +72,39 @@ struct MaterialLanes {
   }
 };
 
+// Surface::leaving
+HWY_INLINE Rays leaving_rays(const Vectors& point, const Vectors& facing, const Numbers& height,
+                             const Numbers& point_error, const Vectors& direction) {
+  const Numbers cosine = abs(dot(facing, direction));
+  return {point, direction, point_error, where(cosine > least_cosine, 4.0 * height / cosine)};
+}
+
 struct Surfaces {
   Vectors point, normal, facing;
   Numbers height, point_error;
   Materials material;
 
-  // Surface::leaving
   HWY_INLINE Rays leaving(const Vectors& direction) const {
-    const Numbers cosine = abs(dot(facing, direction));
-    return {point, direction, point_error, where(cosine > least_cosine, 4.0 * height / cosine)};
+    return leaving_rays(point, facing, height, point_error, direction);
   }
 };
+
+// What the points of a mesh have (`of_points`), for the three corners of each lane's face.
+struct AtCorners {
+  Vectors a, b, c;
+};
+
+HWY_INLINE AtCorners at_corners(const Mesh& mesh, const std::vector<Vec3>& of_points, const Lanes& part,
+                                unsigned some) {
+  VectorLanes a, b, c;
+  for (const std::size_t i : each_lane(some)) {
+    const FaceCorners& face = mesh.faces[static_cast<std::size_t>(part.at[i])];
+    a.set(i, of_points[face[0]]);
+    b.set(i, of_points[face[1]]);
+    c.set(i, of_points[face[2]]);
+  }
+  return {a.vectors(), b.vectors(), c.vectors()};
+}
 
 // A corner and two edges of a face each.
 struct Faces {
@@ -104,29 +112,14 @@ struct Faces {
 };
 
 HWY_INLINE Faces faces_of(const Mesh& mesh, const Lanes& part, unsigned some) {
-  VectorLanes a, b, c;
-  for (unsigned left = some; left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-    const FaceCorners& face = mesh.faces[static_cast<std::size_t>(part.at[i])];
-    a.set(i, mesh.points[face[0]]);
-    b.set(i, mesh.points[face[1]]);
-    c.set(i, mesh.points[face[2]]);
-  }
-  const Vectors corner = a.vectors();
-  return {corner, b.vectors() - corner, c.vectors() - corner};
+  const AtCorners points = at_corners(mesh, mesh.points, part, some);
+  return {points.a, points.b - points.a, points.c - points.a};
 }
 
 // Mesh::smooth_normal
 HWY_INLINE Vectors smooth_normals(const Mesh& mesh, const Lanes& part, const LocalHits& hits, unsigned some) {
-  VectorLanes a, b, c;
-  for (unsigned left = some; left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
-    const FaceCorners& face = mesh.faces[static_cast<std::size_t>(part.at[i])];
-    a.set(i, mesh.normals[face[0]]);
-    b.set(i, mesh.normals[face[1]]);
-    c.set(i, mesh.normals[face[2]]);
-  }
-  return normalized((1.0 - hits.u - hits.v) * a.vectors() + hits.u * b.vectors() + hits.v * c.vectors());
+  const AtCorners normals = at_corners(mesh, mesh.normals, part, some);
+  return normalized((1.0 - hits.u - hits.v) * normals.a + hits.u * normals.b + hits.v * normals.c);
 }
 
 // Mesh::distance, from what was computed of the face.
@@ -164,23 +157,15 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object&
     } else {
       MaterialLanes own;
       const Lanes u(local.u), v(local.v);
-      for (unsigned left = bits; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      for (const std::size_t i : each_lane(bits)) {
         own.set(i, mesh.material_at(static_cast<std::uint32_t>(part.at[i]), Vec2(u.at[i], v.at[i])));
       }
       result.material = own.materials();
     }
   } else {
-    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-      distance_to_surface = distance(*sphere, p, normal);
-    } else if (const auto* box = std::get_if<Box>(&object.shape)) {
-      distance_to_surface = distance(*box, p, normal);
-    } else if (const auto* square = std::get_if<Square>(&object.shape)) {
-      distance_to_surface = distance(*square, p, normal);
-    } else if (const auto* cylinder = std::get_if<Cylinder>(&object.shape)) {
-      distance_to_surface = distance(*cylinder, p, normal);
-    } else {
-      distance_to_surface = distance(std::get<Cone>(object.shape), p, normal);
+    distance_to_surface =
+        with_primitive(object.shape, [&](const auto& shape) HWY_ATTR { return distance(shape, p, normal); });
+    if (std::holds_alternative<Cone>(object.shape)) {
       const Mask on_side = !((normal.x == 0.0) & (normal.y == 0.0));
       facing.z = select(on_side, 0.5 * normal.z, normal.z);
       differs = true;
@@ -188,8 +173,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object&
     if (material.has_maps()) {
       MaterialLanes own;
       const Lanes u(local.u), v(local.v);
-      for (unsigned left = bits; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+      for (const std::size_t i : each_lane(bits)) {
         own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
       }
       result.material = own.materials();
@@ -213,9 +197,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const 
   result.point = rays.at(hits.t);
   const Lanes objects(hits.object);
   unsigned left = bits_of(hit);
-  const auto next_object = [&]() HWY_ATTR {
-    return static_cast<std::size_t>(objects.at[static_cast<std::size_t>(__builtin_ctz(left))]);
-  };
+  const auto next_object = [&]() HWY_ATTR { return static_cast<std::size_t>(objects.at[first_lane(left)]); };
   // Mostly all of a packet hit the same object.
   for (bool first = true; left != 0; first = false) {
     const std::size_t id = next_object();

@@ -40,8 +40,7 @@ HWY_INLINE Vectors background(const Scene& scene, const Vectors& direction, cons
   if (!scene.cube_map) return {0.0, 0.0, 0.0};
   const VectorLanes d(direction);
   VectorLanes color(Vectors(0.0, 0.0, 0.0));
-  for (unsigned left = bits_of(missed); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(left));
+  for (const std::size_t i : each_lane(missed)) {
     color.set(i, scene.cube_map->lookup(d[i]));
   }
   return color.vectors();

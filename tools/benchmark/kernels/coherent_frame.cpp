@@ -71,10 +71,8 @@ class CoherentFrame {
 
   template <class Light>
   HWY_INLINE void trace_shadow(const MeshHits& from, const Light& light, Mask lit, bool only_in_front) {
-    Surfaces surface;
-    surface.point = from.point;
     Mask odd = no_lanes();
-    const LightSamples sample = sample_of(light, surface, lit, odd);
+    const LightSamples sample = sample_of(light, from.point, lit, odd);
     if (only_in_front) lit &= dot(sample.towards, from.normal) > 0.0;
     if (none(lit)) return;
     counts_.shadow += count(lit);

@@ -4,6 +4,7 @@
 
 #include "geometry/rounding.hpp"
 #include "scene/scene.hpp"
+#include "shading/surface.hpp"
 
 namespace trace::bench {
 
@@ -31,8 +32,6 @@ class MeshHit {
   }
 
  private:
-  static constexpr double least_cosine = 0x1p-36;  // as for surfaces
-
   Vec3 point_, normal_;
   double height_, point_error_;
 };

@@ -16,8 +16,7 @@ struct MeshHits {
   Numbers height, point_error;
 
   HWY_INLINE Rays leaving(const Vectors& direction) const {
-    const Numbers cosine = abs(dot(normal, direction));
-    return {point, direction, point_error, where(cosine > least_cosine, 4.0 * height / cosine)};
+    return leaving_rays(point, normal, height, point_error, direction);
   }
 };
 
@@ -30,7 +29,7 @@ HWY_INLINE MeshHits mesh_hits_of(const Scene& scene, const Rays& rays, const Hit
   const Lanes objects(hits.object), part(hits.local.part);
   Mask odd = no_lanes();
   for (unsigned left = bits_of(hit); left != 0;) {
-    const auto first = static_cast<std::size_t>(__builtin_ctz(left));
+    const std::size_t first = first_lane(left);
     const Mask same = hit & (hits.object == Numbers(objects.at[first]));
     left &= ~bits_of(same);
     const Object& object = scene.objects[static_cast<std::size_t>(objects.at[first])];

@@ -103,8 +103,7 @@ int run(Arguments& arguments) {
   add_cube_map(arguments, images, scene);
   statistics.lap(Stage::load);
 
-  const int wanted = arguments.options.threads;
-  const int threads = wanted > 0 ? wanted : hardware_threads();
+  const int threads = threads_or_all(arguments.options.threads);
   const SceneTree tree(scene, threads, arguments.options.instruction_set);
   statistics.lap(Stage::build);
 
