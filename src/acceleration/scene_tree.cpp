@@ -58,12 +58,13 @@ void SceneTree::visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const {
 Hit SceneTree::closest(const Ray& ray, bool cull) const {
   Hit best;
   std::optional<Hit> gap;
+  const Reciprocal inverse(ray);
   FrameRays rays(scene_, ray);
   visit_leaves(ray, best.t, [&](std::uint32_t first, std::uint32_t count, double) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const std::uint32_t id = object_at(i);
       const Object& object = scene_.objects[id];
-      if (!hits_bounds(object.bounds, ray)) continue;
+      if (!hits_bounds(object.bounds, ray, inverse)) continue;
       const ObjectRay& local = rays.in(object.frame);
       LocalHit hit;
       const bool found = std::visit(
@@ -91,11 +92,12 @@ Hit SceneTree::closest(const Ray& ray, bool cull) const {
 
 bool SceneTree::occluded(const Ray& ray, double limit) const {
   bool found = false;
+  const Reciprocal inverse(ray);
   FrameRays rays(scene_, ray);
   visit_leaves(ray, limit, [&](std::uint32_t first, std::uint32_t count, double current) {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const Object& object = scene_.objects[object_at(i)];
-      if (!hits_bounds(object.bounds, ray)) continue;
+      if (!hits_bounds(object.bounds, ray, inverse)) continue;
       const ObjectRay& local = rays.in(object.frame);
       found = std::visit(
           [&](const auto& shape) {

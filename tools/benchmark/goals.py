@@ -45,6 +45,7 @@ PARSING = Goal(least=600)
 BUILDING = Goal(least_ratio=1.0)
 SURFACE_AREA_COST = Goal(most_ratio=1.0)
 SINGLE_RAYS = Goal(least_ratio=1.0)
+INCOHERENT_RAYS = Goal(least_ratio=1.0)  # as the renderer traces them, against single rays
 COHERENT_RAYS = Goal(least_ratio=0.7)
 MESH_SCENE = Goal(most_ratio=1.2)
 SCALING = Goal(least=1.95)

@@ -36,7 +36,10 @@ HWY_INLINE auto with_primitive(const Shape& shape, const Call& call) {
 
 HWY_INLINE Mask intersect_primitive(const Shape& shape, const Rays& rays, const Mask& asked, LocalHits& hits,
                                     Mask& odd) {
-  return with_primitive(shape, [&](const auto& s) HWY_ATTR { return intersect(s, rays, asked, hits, odd); });
+  // Inlined, so that what the caller does not use of the hits is not computed.
+  return with_primitive(
+      shape, [&](const auto& s) HWY_ATTR
+      __attribute__((always_inline)) { return intersect(s, rays, asked, hits, odd); });
 }
 
 // The rays of a packet in the space of one object after another.
@@ -63,9 +66,14 @@ class FramePackets {
 
 class ClosestObjects {
  public:
+  Hits& best;
+  Mask unusual;
+
+  // `nearest` gets the hits: too large to be copied.
   HWY_INLINE ClosestObjects(const Scene& scene, const SceneTree& tree, const Rays& rays, const Mask& active,
-                            bool cull)
-      : scene_(scene),
+                            bool cull, Hits& nearest)
+      : best(nearest),
+        scene_(scene),
         tree_(tree),
         rays_(rays),
         inverse_(rays),
@@ -92,12 +100,16 @@ class ClosestObjects {
       const Numbers t = hits.t / local.scale;
       const Numbers number = id;
       const Mask nearer = without(found, odd) & ((t < best.t) | ((t == best.t) & (number < best.object)));
+      if (any(odd)) {
+        unusual |= odd;
+        going_ = without(going_, odd);
+        changed |= odd;
+      }
+      if (none(nearer)) continue;
       best.t = select(nearer, t, best.t);
       best.object = select(nearer, number, best.object);
       best.local = select(nearer, hits, best.local);
-      unusual |= odd;
-      going_ = without(going_, odd);
-      changed |= nearer | odd;
+      changed |= nearer;
     }
     return any(changed);
   }
@@ -120,10 +132,6 @@ class ClosestObjects {
   FramePackets frames_;
   bool cull_;
   Mask going_;
-
- public:
-  Hits best;
-  Mask unusual;
 };
 
 class AnyObjects {
@@ -193,9 +201,8 @@ HWY_INLINE void visit_leaves(const Scene& scene, const SceneTree& tree, const Ra
 
 HWY_MAYBE_UNUSED static HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays& rays,
                                                   const Mask& active, bool cull, Hits& result) {
-  ClosestObjects leaf(scene, tree, rays, active, cull);
+  ClosestObjects leaf(scene, tree, rays, active, cull, result);
   visit_leaves(scene, tree, rays, active, leaf);
-  result = leaf.best;
   if (none(leaf.unusual)) return;
   const RayLanes one(rays);
   Lanes t(result.t), object(result.object), local_t(result.local.t), u(result.local.u), v(result.local.v),

@@ -41,10 +41,7 @@ struct Reciprocals {
       : of(1.0 / rays.direction.x, 1.0 / rays.direction.y, 1.0 / rays.direction.z), finite(all_finite(of)) {}
 };
 
-// hits_bounds() of geometry/bounds.hpp. A product with the reciprocal is off by three roundings from the
-// quotient, which itself is off by one; its sign is that of the quotient, for directions are of unit length
-// and so reciprocals at least one. Where that leaves open what comes first, the quotients themselves are
-// asked.
+// hits_bounds() of geometry/bounds.hpp by products.
 HWY_INLINE Mask hit_bounds(const Bounds& b, const Rays& rays, const Reciprocals& inverse,
                            const Mask& active) {
   const Numbers x1 = (b.min.x - rays.origin.x) * inverse.of.x, x2 = (b.max.x - rays.origin.x) * inverse.of.x;

@@ -1,5 +1,5 @@
 // The rays of single_frame.cpp in packets: blocks of four by four, four by two or two by two pixels, as many
-// as a packet holds, and from their hits to one light after the other.
+// as a packet holds, and from their hits to one light after the other or mirrored.
 #include "instruction_set/instruction_set.hpp"
 #include "tools/benchmark/kernels/frame_rays.hpp"
 
@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "tools/benchmark/kernels/coherent_frame.cpp"
 #include "hwy/foreach_target.h"
 // The kernels, once for each set of instructions.
-#include "shading/packet/local_shading-inl.hpp"
+#include "shading/packet/whitted-inl.hpp"
 #include "tools/benchmark/kernels/mesh_hits-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -58,6 +58,8 @@ class CoherentFrame {
     const MeshHits surface = mesh_hits_of(scene_, rays, hits, hit);
     if (mode_ == bench::Mode::one_shadow) {
       trace_shadow(surface, extra_, hit, false);
+    } else if (mode_ == bench::Mode::mirrored) {
+      trace_mirrored(rays, surface, hit);
     } else {
       for (const Light& light : scene_.lights) {
         if (const auto* point = std::get_if<PointLight>(&light)) {
@@ -78,6 +80,14 @@ class CoherentFrame {
     counts_.shadow += count(lit);
     counts_.occluded +=
         count(occluded(scene_, tree_, from.leaving(sample.towards), lit, sample.distance) & lit);
+  }
+
+  HWY_INLINE void trace_mirrored(const Rays& rays, const MeshHits& from, const Mask& hit) {
+    counts_.mirrored += count(hit);
+    Hits next;
+    closest(scene_, tree_, from.leaving(mirrored_directions(rays.direction, from.normal)), hit, false, next);
+    counts_.distances +=
+        sum_of_lanes(where(hit & (next.t < std::numeric_limits<double>::infinity()), next.t));
   }
 
   const Scene& scene_;

@@ -34,7 +34,8 @@ FrameCounts single_frame(const Scene& scene, const SceneTree& tree, FrameSize si
 // Whether rays can be traced in packets in this build on this machine.
 bool has_coherent_frames();
 
-// The same rays in packets: neighbouring primary rays, and shadow rays to the same light. Not for `mirrored`.
+// The same rays in packets, as the renderer traces them: those of neighbouring pixels, and what goes on from
+// their hits, to the same light or mirrored.
 FrameCounts coherent_frame(const Scene& scene, const SceneTree& tree, FrameSize size, Mode mode,
                            const Vec3& extra_light);
 

@@ -49,6 +49,11 @@ int main(int argc, char** argv) {
   png_command.add_option("--widths", png.widths, "Of the pictures")->delimiter(',');
   png_command.callback([&] { measure_png(png); });
 
+  int repetitions = 7;
+  CLI::App& thread_command = *app.add_subcommand("threads", "Arithmetic alone on one thread and on two");
+  thread_command.add_option("--repetitions", repetitions, "How often")->check(CLI::PositiveNumber);
+  thread_command.callback([&] { measure_threads(repetitions); });
+
   int rounds = 1;
   CLI::App& process_command = *app.add_subcommand("processes", "Commands of standard input, in turns");
   process_command.add_option("--rounds", rounds, "How often each runs")->check(CLI::PositiveNumber);

@@ -37,7 +37,7 @@ void measure_rays(const RayArguments& arguments) {
       measure("single", mode, arguments.repetitions,
               [&] { return single_frame(scene, tree, size, mode, meshes.extra_light); });
     }
-    if (mode != Mode::mirrored && has_coherent_frames() && wanted(arguments.interfaces, "coherent")) {
+    if (has_coherent_frames() && wanted(arguments.interfaces, "coherent")) {
       measure("coherent", mode, arguments.repetitions,
               [&] { return coherent_frame(scene, tree, size, mode, meshes.extra_light); });
     }

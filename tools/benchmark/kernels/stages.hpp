@@ -38,6 +38,9 @@ struct PngArguments {
 };
 void measure_png(const PngArguments& arguments);
 
+// How many times as fast as one thread two are with arithmetic alone.
+void measure_threads(int repetitions);
+
 // Runs the commands that standard input gives, one a line, words parted by tabs, in turns.
 void measure_processes(int rounds);
 

@@ -1,4 +1,4 @@
-"""How many times as fast two threads render a frame as one."""
+"""How many times as fast two threads render a frame as one, beside what they are for arithmetic alone."""
 from .. import goals, programs
 from ..group import Group, Line
 
@@ -28,6 +28,11 @@ def groups(context):
             one, two = (frame_ms(context, build, scene, width, threads) for threads in (1, 2))
             return {"scaling": one / two, "one": one}
 
+        def machine():
+            kernels = (context.build.kernels, "threads", "--repetitions", context.rounds(5))
+            return {"scaling": float(programs.lines(programs.output(kernels), "threads")[0]["speedup"])}
+
         yield Group(STAGE, sample, [
             Line("scaling", f"{scene.stem}, {width} px, frame", "times", goals.SCALING, True, 2),
-            Line("one", f"{scene.stem}, {width} px, frame on 1 thread", "ms")], rounds=7, of_process=True)
+            Line("one", f"{scene.stem}, {width} px, frame on 1 thread", "ms")],
+                    anchor=machine, rounds=7, of_process=True)
