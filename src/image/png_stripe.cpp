@@ -25,14 +25,34 @@ void filter_rows(const Image& image, int first, int last, std::vector<std::uint8
   }
 }
 
+// The least of zlib's parameters (deflateInit2) with which `bytes` of input become what they become with the
+// largest: the window holds them all, and so does the buffer of symbols, at most one a byte, that is emptied
+// as one block when all but one of its places are taken. zlib clears its hash table of 2^(memory + 8) bytes
+// even where it looks for runs alone, and for a tiny picture those pages took longer than all the rest of the
+// writing.
+struct DeflateSize {
+  int window_bits = 9;
+  int memory = 1;
+};
+
+DeflateSize size_for(std::size_t bytes) {
+  constexpr int most_window_bits = 15, most_memory = 9;
+  DeflateSize size;
+  while (size.window_bits < most_window_bits && (std::size_t{1} << size.window_bits) <= bytes)
+    ++size.window_bits;
+  while (size.memory < most_memory && (std::size_t{1} << (size.memory + 6)) <= bytes + 1) ++size.memory;
+  return size;
+}
+
 }  // namespace
 
 // The filter "up" turns rendered surfaces and backgrounds into runs of equal small numbers. Looking for those
 // runs alone, rather than for any repeated string, takes a quarter less time on pictures textured everywhere
 // and is alike on others; so are the files.
-StripePacker::StripePacker() {
-  constexpr int level = 1, raw_deflate = -15, most_memory = 9;
-  if (deflateInit2(&stream_, level, Z_DEFLATED, raw_deflate, most_memory, Z_RLE) != Z_OK)
+StripePacker::StripePacker(std::size_t most_bytes) {
+  constexpr int level = 1;
+  const DeflateSize size = size_for(most_bytes);
+  if (deflateInit2(&stream_, level, Z_DEFLATED, -size.window_bits, size.memory, Z_RLE) != Z_OK)
     throw ImageError("the PNG cannot be made: out of memory");
 }
 

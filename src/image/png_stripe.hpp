@@ -22,8 +22,9 @@ struct PackedStripe {
 // One thread's tools; used again for stripe after stripe.
 class StripePacker {
  public:
-  // Throws ImageError where there is no memory.
-  StripePacker();
+  // For stripes of at most `most_bytes` after filtering. What comes out does not depend on it. Throws
+  // ImageError where there is no memory.
+  explicit StripePacker(std::size_t most_bytes);
   StripePacker(const StripePacker&) = delete;
   StripePacker& operator=(const StripePacker&) = delete;
   ~StripePacker();

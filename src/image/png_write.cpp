@@ -50,10 +50,11 @@ std::vector<PackedStripe> pack(const Image& image, int threads) {
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width) + 1;
   const int rows = static_cast<int>(std::max(std::size_t{1}, stripe_bytes / row_bytes));
   std::vector<PackedStripe> stripes(static_cast<std::size_t>((image.height + rows - 1) / rows));
+  const std::size_t most_bytes = row_bytes * static_cast<std::size_t>(std::min(rows, image.height));
   // A stripe takes some 0.15 ms: two are the least that is worth a thread.
   const int most = std::max(1, std::min(threads, static_cast<int>(stripes.size()) / 2));
   parallel_for_with(
-      most, stripes.size(), [](int) { return StripePacker(); },
+      most, stripes.size(), [&](int) { return StripePacker(most_bytes); },
       [&](std::size_t i, StripePacker& packer) {
         const int first = static_cast<int>(i) * rows;
         stripes[i] = packer.pack(image, first, std::min(first + rows, image.height));
