@@ -28,6 +28,9 @@ class AtomicFile {
   // Without commit(): the bytes are dropped, the target is as it was.
   ~AtomicFile();
 
+  // Whether there is nothing yet that others could see.
+  bool is_nameless() const { return !direct_ && hidden_.empty(); }
+
   // Appends. Throws ImageError, for instance "no space left on device".
   void write(std::span<const std::uint8_t> bytes);
 

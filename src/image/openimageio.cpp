@@ -37,6 +37,8 @@ unsigned char* allocate(void* context, int width, int height) noexcept {
 
 }  // namespace
 
+void settle_openimageio(const std::filesystem::path&, std::initializer_list<std::string_view>) {}
+
 Image read_with_openimageio(const std::filesystem::path& file, std::string_view format,
                             const ModulePlaces& places) {
   const SharedObject module = load_openimageio(fmt::format("reading {}", format), places);

@@ -1,8 +1,11 @@
-// The formats other than PNG and BMP, by OpenImageIO, which is loaded when first needed.
+// The formats other than PNG and BMP, by OpenImageIO, which is loaded when first needed. A program is linked
+// to one of two libraries: trace_openimageio_here loads it itself, trace_openimageio_elsewhere leaves what
+// needs it to trace_dynamic (start_over.hpp).
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +19,11 @@ using ModulePlaces = std::vector<std::filesystem::path>;
 
 // In the directory of the running program, and in ../lib/trace from there.
 ModulePlaces openimageio_places();
+
+// To be called before a run reads anything or shows anything: a program that would have to start over to
+// write `output`, or could not start over once it has read the files `read` ("-": standard input), does so
+// here.
+void settle_openimageio(const std::filesystem::path& output, std::initializer_list<std::string_view> read);
 
 // The picture in a file of the format called `format` ("JPEG"; for messages). Throws ImageError, also if the
 // module or OpenImageIO is not installed.

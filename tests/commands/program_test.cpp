@@ -1,18 +1,21 @@
 // The program as a file: what it is linked to, and what it does where a part of it is missing.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <string_view>
 
 #include "tests/support/picture_table.hpp"
 
 namespace trace::test {
 
-TEST_CASE("the program is not linked to OpenImageIO") {
+TEST_CASE("neither form of the program is linked to OpenImageIO") {
   const TemporaryFolder folder;
   const auto list = folder.path() / "ldd";
-  REQUIRE(std::system(("ldd '" TRACE_PROGRAM "' >'" + list.string() + "'").c_str()) == 0);
-  const std::string libraries = read_text(list);
-  CHECK_THAT(libraries, Catch::Contains("libc.so"));
-  CHECK_THAT(libraries, !Catch::Contains("OpenImageIO"));
+  for (const std::string program : {TRACE_PROGRAM, TRACE_DYNAMIC_PROGRAM}) {
+    REQUIRE(std::system(("ldd '" + program + "' >'" + list.string() + "'").c_str()) == 0);
+    const std::string libraries = read_text(list);
+    CHECK_THAT(libraries, Catch::Contains("libc.so") || Catch::Contains("statically linked"));
+    CHECK_THAT(libraries, !Catch::Contains("OpenImageIO"));
+  }
 }
 
 TEST_CASE("a picture of another format is written and read through the module") {
@@ -30,6 +33,27 @@ TEST_CASE("a picture of another format is written and read through the module") 
   CHECK(compare(read_image(folder.path() / "white.tif"), read_image(folder.path() / "out.png")).pixels == 0);
 }
 
+TEST_CASE("what can be read only once is not lost where OpenImageIO is found to be needed later") {
+  const TemporaryFolder folder;
+  const std::filesystem::path texture = folder.path() / "white.tif";
+  write_image(texture, {2, 2, std::vector<std::uint8_t>(12, 255)});
+  const std::string scene =
+      "SBT-raytracer 1.0\ncamera { position=(0,0,1); }\n"
+      "square { material={ emissive=map(\"" +
+      texture.string() + "\"); } }\n";
+  write_text(folder.path() / "a.ray", scene);
+  REQUIRE(run_trace(folder.path(), "-w 16 a.ray file.png").status == 0);
+  const Outcome outcome = run_trace(folder.path(), "-w 16 - input.png", {}, scene);
+  CHECK(outcome.errors.empty());
+  CHECK(outcome.status == 0);
+  const std::string pipe =
+      "cd '" + folder.path().string() + "' && cat a.ray | '" TRACE_PROGRAM "' -w 16 /dev/stdin pipe.png";
+  CHECK(std::system(pipe.c_str()) == 0);
+  const Image expected = read_image(folder.path() / "file.png");
+  for (const char* name : {"input.png", "pipe.png"})
+    CHECK(compare(read_image(folder.path() / name), expected).pixels == 0);
+}
+
 TEST_CASE("without its module the program still draws, and says which package other formats need") {
   const TemporaryFolder folder;
   write_text(folder.path() / "a.ray", "SBT-raytracer 1.0\n");
@@ -42,6 +66,20 @@ TEST_CASE("without its module the program still draws, and says which package ot
   CHECK(run("out.tif") != 0);
   CHECK_THAT(read_text(folder.path() / "errors"),
              Catch::Contains("OpenImageIO") && Catch::Contains("libopenimageio2.4"));
+}
+
+TEST_CASE(
+    "where the program has two forms, the first says that it needs the second for batches and comparisons") {
+  if (std::string_view(TRACE_PROGRAM) == TRACE_DYNAMIC_PROGRAM) return;
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(TRACE_PROGRAM, folder.path() / "trace");
+  for (const std::string command : {"batch", "diff"}) {
+    const int status = std::system(
+        ("cd '" + folder.path().string() + "' && ./trace " + command + " --help 2>errors").c_str());
+    CHECK(WEXITSTATUS(status) == 3);
+    CHECK(read_text(folder.path() / "errors") ==
+          "trace: error: this command needs trace_dynamic beside the program\n");
+  }
 }
 
 }  // namespace trace::test

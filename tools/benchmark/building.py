@@ -51,7 +51,8 @@ def of_commit(revision, build_root, jobs):
             try:
                 build = built(sources, pathlib.Path(folder) / "build", jobs)
                 kept.mkdir(parents=True, exist_ok=True)
-                for program in filter(None, (build.kernels, build.trace)):
+                dynamic = build.trace.with_name("trace_dynamic")  # the other form of the program, where there are two
+                for program in filter(pathlib.Path.exists, filter(None, (build.kernels, dynamic, build.trace))):
                     shutil.copy2(program, kept)
             finally:
                 subprocess.run(["git", "-C", ROOT, "worktree", "remove", "--force", sources], check=False)

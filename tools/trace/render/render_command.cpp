@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 
+#include "image/openimageio.hpp"
+#include "image/picture_file.hpp"
 #include "loading/scene_loader.hpp"
 #include "loading/settings_file.hpp"
 #include "parallel/parallel.hpp"
@@ -85,9 +88,11 @@ void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene)
 
 int run(Arguments& arguments) {
   Statistics statistics;
+  settle_openimageio(arguments.output, {arguments.scene, arguments.settings, arguments.cube_map});
   if (!apply_settings(arguments)) return exit_bad_input;
+  std::optional<PictureFile> output;
   try {
-    check_writable(arguments.output);
+    output.emplace(arguments.output);
   } catch (const ImageError& e) {
     fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
     return exit_cannot_write;
@@ -103,7 +108,7 @@ int run(Arguments& arguments) {
   add_cube_map(arguments, images, scene);
   statistics.lap(Stage::load);
 
-  const int threads = threads_or_all(arguments.options.threads);
+  const int threads = arguments.options.threads = threads_or_all(arguments.options.threads);
   const SceneTree tree(scene, threads, arguments.options.instruction_set);
   statistics.lap(Stage::build);
 
@@ -116,7 +121,7 @@ int run(Arguments& arguments) {
   statistics.lap(Stage::render);
 
   try {
-    write_image(arguments.output, rendered.image, threads);
+    output->write(rendered.image, threads);
   } catch (const ImageError& e) {
     fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
     return exit_cannot_write;
