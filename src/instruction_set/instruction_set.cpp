@@ -7,7 +7,7 @@
 // is asked.
 // __builtin_cpu_supports asks the processor again, also in programs that never come to call it: ten CPUID
 // instructions, and on a virtual machine each is a call of the host, four microseconds.
-#if __has_include(<sys/platform/x86.h>)
+#if __has_include(<sys/platform/x86.h>) && !defined(__clang__)  // its C++ does not know the header's _Bool
 #include <sys/platform/x86.h>
 #define TRACE_PROCESSOR_HAS(library_name, compiler_name) CPU_FEATURE_ACTIVE(library_name)
 #else
