@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "image/adler32.hpp"
+
 namespace trace {
 namespace {
 
@@ -76,7 +78,7 @@ PackedStripe StripePacker::pack(const Image& image, int first, int last) {
   PackedStripe stripe;
   stripe.bytes.assign(packed_.data(), stream_.next_out);
   stripe.raw_size = filtered_.size();
-  stripe.adler = adler32(1, filtered_.data(), static_cast<uInt>(filtered_.size()));
+  stripe.adler = adler32_of(filtered_);
   stripe.crc = crc32(0, stripe.bytes.data(), static_cast<uInt>(stripe.bytes.size()));
   return stripe;
 }
