@@ -26,7 +26,7 @@ class Builder {
   std::vector<BvhNode> build() {
     const auto count = static_cast<std::uint32_t>(references_.size());
     Part part;
-    const BvhRange all = whole_range(references_, 0, count, 0);
+    const BvhRange all = whole_range(references_, 0, count, 0, threads_);
     if (!subtree(all, part)) {
       Children root;
       root.add(all, true);
@@ -60,7 +60,7 @@ class Builder {
       const FloatBox box = i < children.count ? children.ranges[i].box : FloatBox{};
       alignas(16) float low[4], high[4];
       _mm_store_ps(low, box.low);
-      _mm_store_ps(high, box.high);
+      _mm_store_ps(high, box.high());
       for (int axis = 0; axis < 3; ++axis) {
         node.low[axis][i] = low[axis];
         node.high[axis][i] = high[axis];

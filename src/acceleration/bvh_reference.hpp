@@ -10,20 +10,22 @@
 
 namespace trace {
 
-// Boxes in 32 bits: x, y, z and a fourth that does not count.
-struct FloatBox {
+// Boxes in 32 bits: x, y, z and a fourth that does not count. The high corner is kept negated, so that both
+// corners grow by minima.
+struct alignas(32) FloatBox {
   __m128 low = _mm_set1_ps(std::numeric_limits<float>::infinity());
-  __m128 high = _mm_set1_ps(-std::numeric_limits<float>::infinity());
+  __m128 minus_high = _mm_set1_ps(std::numeric_limits<float>::infinity());
+
+  __m128 high() const { return _mm_xor_ps(minus_high, _mm_set1_ps(-0.0f)); }
 
   // NaN in what is added leaves the box as it is.
-  void add(__m128 other_low, __m128 other_high) {
-    low = _mm_min_ps(other_low, low);
-    high = _mm_max_ps(other_high, high);
+  void add(const FloatBox& other) {
+    low = _mm_min_ps(other.low, low);
+    minus_high = _mm_min_ps(other.minus_high, minus_high);
   }
-  void add(const FloatBox& other) { add(other.low, other.high); }
 
   float half_area() const {
-    const __m128 d = _mm_sub_ps(high, low);
+    const __m128 d = _mm_add_ps(low, minus_high);  // minus the size
     const __m128 products = _mm_mul_ps(d, _mm_shuffle_ps(d, d, _MM_SHUFFLE(3, 0, 2, 1)));
     const __m128 second = _mm_shuffle_ps(products, products, _MM_SHUFFLE(1, 1, 1, 1));
     return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(products, second), _mm_movehl_ps(products, products)));
@@ -89,9 +91,7 @@ inline BoxReference outward(std::uint32_t item, const DoubleLanes& low, const Do
                           minus(_mm_add_sd(_mm_sub_sd(high.z, centre.z), slack))};
   const __m128 numbered = _mm_castsi128_ps(_mm_set_epi32(std::bit_cast<int>(item), 0, 0, 0));
   const __m128 xyz = _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1));
-  const __m128 all_signs = _mm_set1_ps(-0.0f);
-  return {{_mm_or_ps(_mm_and_ps(xyz, rounded_down(below)), numbered),
-           _mm_xor_ps(rounded_down(above), all_signs)}};
+  return {{_mm_or_ps(_mm_and_ps(xyz, rounded_down(below)), numbered), rounded_down(above)}};
 }
 
 }  // namespace trace

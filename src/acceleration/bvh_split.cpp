@@ -8,21 +8,17 @@ namespace {
 constexpr int most_bins = 16;
 constexpr std::uint32_t parallel_size = 1 << 16;
 
-// 0 where the box has no end.
+// The sum of a box's corners, twice its centre; 0 where it has no end or is next to it, and in the lane that
+// does not count.
 __m128 centre_of(const FloatBox& box) {
-  const __m128 half = _mm_set1_ps(0.5f);
-  const __m128 centre = _mm_add_ps(_mm_mul_ps(half, box.low), _mm_mul_ps(half, box.high));
-  const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), centre);
-  return _mm_and_ps(centre, _mm_cmplt_ps(size, _mm_set1_ps(std::numeric_limits<float>::infinity())));
+  const float limit = std::numeric_limits<float>::infinity();
+  const __m128 sum = _mm_sub_ps(box.low, box.minus_high);
+  const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), sum);
+  return _mm_and_ps(sum, _mm_cmplt_ps(size, _mm_setr_ps(limit, limit, limit, 0)));
 }
 
-FloatBox centres_of(std::span<const BoxReference> references) {
-  FloatBox result;
-  for (const BoxReference& reference : references) {
-    const __m128 centre = centre_of(reference.box);
-    result.add(centre, centre);
-  }
-  return result;
+FloatBox point(__m128 at) {
+  return {at, _mm_xor_ps(at, _mm_set1_ps(-0.0f))};
 }
 
 // From centres to bins, all three axes at once.
@@ -35,7 +31,7 @@ struct BinScale {
              : range.size() > 8 ? 6
                                 : 4),
         low(range.centres.low) {
-    const __m128 extent = _mm_sub_ps(range.centres.high, low);
+    const __m128 extent = _mm_sub_ps(range.centres.high(), low);
     scale = _mm_div_ps(_mm_set1_ps(static_cast<float>(bins)), extent);
     const __m128 infinity = _mm_set1_ps(std::numeric_limits<float>::infinity());
     const __m128 usable =
@@ -48,13 +44,13 @@ struct BinScale {
   __m128 place(__m128 centre) const { return _mm_mul_ps(_mm_sub_ps(centre, low), scale); }
 };
 
+// What lies in each bin of each axis.
 struct Bins {
   FloatBox boxes[3][most_bins];
-  std::uint32_t counts[3][most_bins] = {};
+  std::uint32_t counts[most_bins][4] = {};  // of the axes, and none
 
   Bins(std::span<const BoxReference> references, const BinScale& scale) {
-    // No number exceeds the last bin; and NaN, of the lane that does not count, is none.
-    const __m128 last = _mm_set1_ps(static_cast<float>(scale.bins - 1));
+    const __m128 last = _mm_set1_ps(static_cast<float>(scale.bins - 1));  // no number exceeds it
     for (const BoxReference& reference : references) {
       const FloatBox box = reference.box;
       const __m128i bin = _mm_cvttps_epi32(_mm_min_ps(scale.place(centre_of(box)), last));
@@ -64,17 +60,17 @@ struct Bins {
       boxes[0][x].add(box);
       boxes[1][y].add(box);
       boxes[2][z].add(box);
-      ++counts[0][x];
-      ++counts[1][y];
-      ++counts[2][z];
+      ++counts[x][0];
+      ++counts[y][1];
+      ++counts[z][2];
     }
   }
 
   void add(const Bins& other, int bins) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int bin = 0; bin < bins; ++bin) {
+    for (int bin = 0; bin < bins; ++bin) {
+      for (int axis = 0; axis < 3; ++axis) {
         boxes[axis][bin].add(other.boxes[axis][bin]);
-        counts[axis][bin] += other.counts[axis][bin];
+        counts[bin][axis] += other.counts[bin][axis];
       }
     }
   }
@@ -90,38 +86,73 @@ Bins bins_of(std::span<const BoxReference> references, const BinScale& scale, Th
   return *left;
 }
 
+// Three boxes, one for each axis of the bins, coordinate by coordinate; the fourth lane does not count.
+struct BoxOfAxis {
+  __m128 at[6];  // x, y, z of the low corner, then of the high one, negated
+
+  BoxOfAxis() { std::fill(std::begin(at), std::end(at), FloatBox().low); }
+  BoxOfAxis(const FloatBox& a, const FloatBox& b, const FloatBox& c) {
+    transpose(a.low, b.low, c.low, at);
+    transpose(a.minus_high, b.minus_high, c.minus_high, at + 3);
+  }
+
+  static void transpose(__m128 a, __m128 b, __m128 c, __m128* to) {
+    const __m128 low = _mm_unpacklo_ps(a, b), high = _mm_unpackhi_ps(a, b);
+    to[0] = _mm_movelh_ps(low, c);
+    to[1] = _mm_shuffle_ps(low, c, _MM_SHUFFLE(1, 1, 3, 2));
+    to[2] = _mm_shuffle_ps(high, c, _MM_SHUFFLE(2, 2, 1, 0));
+  }
+
+  void add(const BoxOfAxis& other) {
+    for (int i = 0; i < 6; ++i) at[i] = _mm_min_ps(other.at[i], at[i]);
+  }
+
+  __m128 half_area() const {
+    const __m128 x = _mm_add_ps(at[0], at[3]), y = _mm_add_ps(at[1], at[4]), z = _mm_add_ps(at[2], at[5]);
+    return _mm_add_ps(_mm_add_ps(_mm_mul_ps(x, y), _mm_mul_ps(y, z)), _mm_mul_ps(z, x));
+  }
+};
+
 struct Plane {
   float cost = std::numeric_limits<float>::infinity();
   int axis = -1;
   int bin = 0;  // the first of the right half
-  FloatBox left, right;
 };
 
-Plane best_plane(const Bins& bins, const BinScale& scale) {
+// All axes at once. Half a surface of an empty half is infinite, so its cost, times no items, is NaN, which
+// is never the least.
+Plane best_plane(const Bins& bins, int count) {
+  BoxOfAxis boxes[most_bins];
+  __m128 right_cost[most_bins];
+  BoxOfAxis box;
+  __m128i items = _mm_setzero_si128();
+  const auto counts = [&](int bin) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(bins.counts[bin]));
+  };
+  for (int bin = count - 1; bin > 0; --bin) {
+    boxes[bin] = BoxOfAxis(bins.boxes[0][bin], bins.boxes[1][bin], bins.boxes[2][bin]);
+    box.add(boxes[bin]);
+    items = _mm_add_epi32(items, counts(bin));
+    right_cost[bin] = _mm_mul_ps(box.half_area(), _mm_cvtepi32_ps(items));
+  }
+  box = BoxOfAxis(bins.boxes[0][0], bins.boxes[1][0], bins.boxes[2][0]);
+  items = counts(0);
+  __m128 least = _mm_set1_ps(std::numeric_limits<float>::infinity());
+  __m128 at = _mm_setzero_ps();
+  for (int bin = 1; bin < count; ++bin) {
+    const __m128 cost = _mm_add_ps(_mm_mul_ps(box.half_area(), _mm_cvtepi32_ps(items)), right_cost[bin]);
+    const __m128 is_less = _mm_cmplt_ps(cost, least);
+    least = _mm_min_ps(cost, least);
+    at = _mm_or_ps(_mm_and_ps(is_less, _mm_set1_ps(static_cast<float>(bin))), _mm_andnot_ps(is_less, at));
+    box.add(boxes[bin]);
+    items = _mm_add_epi32(items, counts(bin));
+  }
+  alignas(16) float costs[4], places[4];
+  _mm_store_ps(costs, least);
+  _mm_store_ps(places, at);
   Plane best;
   for (int axis = 0; axis < 3; ++axis) {
-    const FloatBox* boxes = bins.boxes[axis];
-    const std::uint32_t* counts = bins.counts[axis];
-    FloatBox right_boxes[most_bins];
-    float right_cost[most_bins];
-    FloatBox box;
-    std::uint32_t count = 0;
-    for (int bin = scale.bins - 1; bin > 0; --bin) {
-      box.add(boxes[bin]);
-      count += counts[bin];
-      right_boxes[bin] = box;
-      right_cost[bin] = count == 0 ? -1 : box.half_area() * static_cast<float>(count);
-    }
-    box = {};
-    count = 0;
-    for (int bin = 1; bin < scale.bins; ++bin) {
-      box.add(boxes[bin - 1]);
-      count += counts[bin - 1];
-      if (count == 0) continue;
-      if (right_cost[bin] < 0) break;
-      const float cost = box.half_area() * static_cast<float>(count) + right_cost[bin];
-      if (cost < best.cost) best = {cost, axis, bin, box, right_boxes[bin]};
-    }
+    if (costs[axis] < best.cost) best = {costs[axis], axis, static_cast<int>(places[axis])};
   }
   return best;
 }
@@ -136,7 +167,13 @@ class Side {
     const auto bits = static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(scale_.place(centre), border_)));
     return bits >> axis_ & 1;
   }
-  unsigned is_left(const BoxReference& reference) const { return is_left(centre_of(reference.box)); }
+
+  // In all lanes.
+  template <int axis>
+  __m128 left_lanes(__m128 centre) const {
+    const __m128 left = _mm_cmplt_ps(scale_.place(centre), border_);
+    return _mm_shuffle_ps(left, left, _MM_SHUFFLE(axis, axis, axis, axis));
+  }
 
  private:
   const BinScale& scale_;
@@ -144,80 +181,139 @@ class Side {
   int axis_;
 };
 
-// Few: without a branch on the side, which cannot be foretold.
-constexpr std::size_t most_copied = 1024;
+// The boxes of the centres of both halves.
+struct HalfCentres {
+  FloatBox left, right;
 
-std::uint32_t partition_few(std::span<BoxReference> references, const Side& side, FloatBox& left_centres,
-                            FloatBox& right_centres) {
+  void add(const HalfCentres& other) {
+    left.add(other.left);
+    right.add(other.right);
+  }
+};
+
+constexpr std::uint32_t most_copied = 1024;
+
+// Without branches: those that belong to the right are set aside first.
+template <int axis>
+std::size_t partition_few(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
   __m128 copy[2 * most_copied];  // not initialized
   std::size_t left = 0, right = 0;
+  FloatBox left_centres, right_centres;
   for (const BoxReference reference : references) {  // a copy
-    const unsigned is_left = side.is_left(reference);
+    const __m128 centre = centre_of(reference.box);
+    const __m128 is_left = side.left_lanes<axis>(centre);
     references[left] = reference;
     copy[2 * right] = reference.box.low;
-    copy[2 * right + 1] = reference.box.high;
-    left += is_left;
-    right += 1 - is_left;
+    copy[2 * right + 1] = reference.box.minus_high;
+    const auto one = static_cast<unsigned>(_mm_movemask_ps(is_left)) & 1;
+    left += one;
+    right += 1 - one;
+    // Lanes of ones are NaN, which adds nothing.
+    const FloatBox at = point(centre);
+    const __m128 is_right = _mm_xor_ps(is_left, _mm_castsi128_ps(_mm_set1_epi32(-1)));
+    left_centres.add({_mm_or_ps(at.low, is_right), _mm_or_ps(at.minus_high, is_right)});
+    right_centres.add({_mm_or_ps(at.low, is_left), _mm_or_ps(at.minus_high, is_left)});
   }
   for (std::size_t i = 0; i < right; ++i) references[left + i].box = {copy[2 * i], copy[2 * i + 1]};
-  left_centres = centres_of(references.first(left));
-  right_centres = centres_of(references.subspan(left));
-  return static_cast<std::uint32_t>(left);
+  centres = {left_centres, right_centres};
+  return left;
 }
 
-std::uint32_t partition_many(std::span<BoxReference> references, const Side& side, FloatBox& left_centres,
-                             FloatBox& right_centres) {
+std::size_t partition_many(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
   std::size_t left = 0, right = references.size();
   while (left < right) {
     const BoxReference a = references[left];
     const __m128 centre = centre_of(a.box);
     if (side.is_left(centre)) {
-      left_centres.add(centre, centre);
+      centres.left.add(point(centre));
       ++left;
       continue;
     }
-    right_centres.add(centre, centre);
+    centres.right.add(point(centre));
     // Its place goes to the last that belongs to the left.
     while (left < --right) {
       const BoxReference b = references[right];
       const __m128 other = centre_of(b.box);
       if (side.is_left(other)) {
-        left_centres.add(other, other);
+        centres.left.add(point(other));
         references[left++] = b;
         references[right] = a;
         break;
       }
-      right_centres.add(other, other);
+      centres.right.add(point(other));
     }
   }
-  return static_cast<std::uint32_t>(left);
+  return left;
 }
 
-BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, const Plane& plane,
-                    const BinScale& scale) {
+// Both halves of the list by themselves, then the right of the first for as many of the left of the second.
+std::size_t partition_side_by_side(std::span<BoxReference> references, const Side& side, HalfCentres& centres,
+                                   ThreadBudget& threads) {
+  if (references.size() < parallel_size) return partition_many(references, side, centres);
+  const std::size_t middle = references.size() / 2;
+  HalfCentres others;
+  std::size_t first = 0, second = 0;
+  threads.both([&] { first = partition_side_by_side(references.first(middle), side, centres, threads); },
+               [&] { second = partition_side_by_side(references.subspan(middle), side, others, threads); });
+  centres.add(others);
+  const std::size_t left = first + second, moved = std::min(middle - first, second);
+  const auto from = references.begin();
+  const auto at = [&](std::size_t i) { return from + static_cast<std::ptrdiff_t>(i); };
+  std::swap_ranges(at(first), at(first + moved), at(middle + second - moved));
+  return left;
+}
+
+BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, const Bins& bins,
+                    const Plane& plane, const BinScale& scale, ThreadBudget& threads) {
   BvhHalves result;
   const auto of_range = references.subspan(range.first, range.size());
-  const std::uint32_t left =
-      range.size() <= most_copied
-          ? partition_few(of_range, Side(plane, scale), result.left.centres, result.right.centres)
-          : partition_many(of_range, Side(plane, scale), result.left.centres, result.right.centres);
-  result.left.box = plane.left;
-  result.right.box = plane.right;
+  const Side side(plane, scale);
+  HalfCentres centres;
+  std::size_t left = 0;
+  if (range.size() > most_copied) {
+    left = partition_side_by_side(of_range, side, centres, threads);
+  } else if (plane.axis == 0) {
+    left = partition_few<0>(of_range, side, centres);
+  } else if (plane.axis == 1) {
+    left = partition_few<1>(of_range, side, centres);
+  } else {
+    left = partition_few<2>(of_range, side, centres);
+  }
+  for (int bin = 0; bin < plane.bin; ++bin) result.left.box.add(bins.boxes[plane.axis][bin]);
+  for (int bin = plane.bin; bin < scale.bins; ++bin) result.right.box.add(bins.boxes[plane.axis][bin]);
+  result.left.centres = centres.left;
+  result.right.centres = centres.right;
   result.left.first = range.first;
-  result.left.last = result.right.first = range.first + left;
+  result.left.last = result.right.first = range.first + static_cast<std::uint32_t>(left);
   result.right.last = range.last;
   result.left.depth = result.right.depth = range.depth + 1;
   return result;
 }
 
+BvhHalves halves_by_count(std::span<BoxReference> references, const BvhRange& range, ThreadBudget& threads) {
+  const std::uint32_t middle = range.first + range.size() / 2;
+  return BvhHalves{whole_range(references, range.first, middle, range.depth + 1, threads),
+                   whole_range(references, middle, range.last, range.depth + 1, threads)};
+}
+
 }  // namespace
 
 BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t first, std::uint32_t last,
-                     int depth) {
+                     int depth, ThreadBudget& threads) {
   BvhRange result;
-  const auto of_range = references.subspan(first, last - first);
-  for (const BoxReference& reference : of_range) result.box.add(reference.box);
-  result.centres = centres_of(of_range);
+  if (last - first < parallel_size) {
+    for (const BoxReference& reference : references.subspan(first, last - first)) {
+      result.box.add(reference.box);
+      result.centres.add(point(centre_of(reference.box)));
+    }
+  } else {
+    const std::uint32_t middle = first + (last - first) / 2;
+    BvhRange right;
+    threads.both([&] { result = whole_range(references, first, middle, depth, threads); },
+                 [&] { right = whole_range(references, middle, last, depth, threads); });
+    result.box.add(right.box);
+    result.centres.add(right.centres);
+  }
   result.first = first;
   result.last = last;
   result.depth = depth;
@@ -228,21 +324,21 @@ std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRang
                                const LeafSizes& leaves, ThreadBudget& threads) {
   const std::uint32_t count = range.size();
   if (count <= leaves.always) return std::nullopt;
-  const BinScale scale(range);
-  Plane plane;
-  if (range.depth < max_sah_depth) {
-    plane = best_plane(bins_of(references.subspan(range.first, count), scale, threads), scale);
+  if (range.depth >= max_sah_depth) {
+    if (count <= leaves.most) return std::nullopt;
+    return halves_by_count(references, range, threads);
   }
+  const BinScale scale(range);
+  const Bins bins = bins_of(references.subspan(range.first, count), scale, threads);
+  const Plane plane = best_plane(bins, scale.bins);
   if (count <= leaves.most) {
     const float area = range.box.half_area();
     const float split_cost = area > 0 ? leaves.box + plane.cost / area : leaves.box;
     if (!(split_cost < static_cast<float>(count))) return std::nullopt;
   }
-  if (plane.axis >= 0) return partition(references, range, plane, scale);
-  // No plane separates the centres, or the tree is deep: halve by count.
-  const std::uint32_t middle = range.first + count / 2;
-  return BvhHalves{whole_range(references, range.first, middle, range.depth + 1),
-                   whole_range(references, middle, range.last, range.depth + 1)};
+  // Where no plane separates the centres: by count.
+  if (plane.axis < 0) return halves_by_count(references, range, threads);
+  return partition(references, range, bins, plane, scale, threads);
 }
 
 }  // namespace trace

@@ -11,7 +11,7 @@
 
 namespace trace {
 
-// A run of references with the box around them and the box of their boxes' centres.
+// A run of references with the box around them and the box of their boxes' centres, times two.
 struct BvhRange {
   FloatBox box, centres;
   std::uint32_t first = 0, last = 0;
@@ -22,7 +22,7 @@ struct BvhRange {
 
 // [first, last) with its boxes.
 BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t first, std::uint32_t last,
-                     int depth);
+                     int depth, ThreadBudget& threads);
 
 struct BvhHalves {
   BvhRange left, right;
