@@ -161,12 +161,8 @@ Plane best_plane(const Bins& bins, int count) {
 class Side {
  public:
   Side(const Plane& plane, const BinScale& scale)
-      : scale_(scale), border_(_mm_set1_ps(static_cast<float>(plane.bin))), axis_(plane.axis) {}
+      : scale_(scale), border_(_mm_set1_ps(static_cast<float>(plane.bin))) {}
 
-  unsigned is_left(__m128 centre) const {
-    const auto bits = static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(scale_.place(centre), border_)));
-    return bits >> axis_ & 1;
-  }
 
   // In all lanes.
   template <int axis>
@@ -178,7 +174,6 @@ class Side {
  private:
   const BinScale& scale_;
   __m128 border_;
-  int axis_;
 };
 
 // The boxes of the centres of both halves.
@@ -191,70 +186,39 @@ struct HalfCentres {
   }
 };
 
-constexpr std::uint32_t most_copied = 1024;
-
-// Without branches: those that belong to the right are set aside first.
+// Without branches, which could not be foretold: every reference trades places with the first of the right
+// half, which grows by it or moves on by one.
 template <int axis>
-std::size_t partition_few(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
-  __m128 copy[2 * most_copied];  // not initialized
-  std::size_t left = 0, right = 0;
+std::size_t partition_in_turn(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
   FloatBox left_centres, right_centres;
-  for (const BoxReference reference : references) {  // a copy
+  BoxReference* right = references.data();
+  for (BoxReference& at : references) {
+    const BoxReference reference = at;
     const __m128 centre = centre_of(reference.box);
     const __m128 is_left = side.left_lanes<axis>(centre);
-    references[left] = reference;
-    copy[2 * right] = reference.box.low;
-    copy[2 * right + 1] = reference.box.minus_high;
-    const auto one = static_cast<unsigned>(_mm_movemask_ps(is_left)) & 1;
-    left += one;
-    right += 1 - one;
+    at = *right;
+    *right = reference;
+    right += static_cast<unsigned>(_mm_movemask_ps(is_left)) & 1;
     // Lanes of ones are NaN, which adds nothing.
-    const FloatBox at = point(centre);
+    const FloatBox place = point(centre);
     const __m128 is_right = _mm_xor_ps(is_left, _mm_castsi128_ps(_mm_set1_epi32(-1)));
-    left_centres.add({_mm_or_ps(at.low, is_right), _mm_or_ps(at.minus_high, is_right)});
-    right_centres.add({_mm_or_ps(at.low, is_left), _mm_or_ps(at.minus_high, is_left)});
+    left_centres.add({_mm_or_ps(place.low, is_right), _mm_or_ps(place.minus_high, is_right)});
+    right_centres.add({_mm_or_ps(place.low, is_left), _mm_or_ps(place.minus_high, is_left)});
   }
-  for (std::size_t i = 0; i < right; ++i) references[left + i].box = {copy[2 * i], copy[2 * i + 1]};
   centres = {left_centres, right_centres};
-  return left;
-}
-
-std::size_t partition_many(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
-  std::size_t left = 0, right = references.size();
-  while (left < right) {
-    const BoxReference a = references[left];
-    const __m128 centre = centre_of(a.box);
-    if (side.is_left(centre)) {
-      centres.left.add(point(centre));
-      ++left;
-      continue;
-    }
-    centres.right.add(point(centre));
-    // Its place goes to the last that belongs to the left.
-    while (left < --right) {
-      const BoxReference b = references[right];
-      const __m128 other = centre_of(b.box);
-      if (side.is_left(other)) {
-        centres.left.add(point(other));
-        references[left++] = b;
-        references[right] = a;
-        break;
-      }
-      centres.right.add(point(other));
-    }
-  }
-  return left;
+  return static_cast<std::size_t>(right - references.data());
 }
 
 // Both halves of the list by themselves, then the right of the first for as many of the left of the second.
+template <int axis>
 std::size_t partition_side_by_side(std::span<BoxReference> references, const Side& side, HalfCentres& centres,
                                    ThreadBudget& threads) {
-  if (references.size() < parallel_size) return partition_many(references, side, centres);
+  if (references.size() < parallel_size) return partition_in_turn<axis>(references, side, centres);
   const std::size_t middle = references.size() / 2;
   HalfCentres others;
   std::size_t first = 0, second = 0;
-  threads.both([&] { first = partition_side_by_side(references.first(middle), side, centres, threads); },
-               [&] { second = partition_side_by_side(references.subspan(middle), side, others, threads); });
+  threads.both([&] { first = partition_side_by_side<axis>(references.first(middle), side, centres, threads); },
+               [&] { second = partition_side_by_side<axis>(references.subspan(middle), side, others, threads); });
   centres.add(others);
   const std::size_t left = first + second, moved = std::min(middle - first, second);
   const auto from = references.begin();
@@ -270,14 +234,12 @@ BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, c
   const Side side(plane, scale);
   HalfCentres centres;
   std::size_t left = 0;
-  if (range.size() > most_copied) {
-    left = partition_side_by_side(of_range, side, centres, threads);
-  } else if (plane.axis == 0) {
-    left = partition_few<0>(of_range, side, centres);
+  if (plane.axis == 0) {
+    left = partition_side_by_side<0>(of_range, side, centres, threads);
   } else if (plane.axis == 1) {
-    left = partition_few<1>(of_range, side, centres);
+    left = partition_side_by_side<1>(of_range, side, centres, threads);
   } else {
-    left = partition_few<2>(of_range, side, centres);
+    left = partition_side_by_side<2>(of_range, side, centres, threads);
   }
   for (int bin = 0; bin < plane.bin; ++bin) result.left.box.add(bins.boxes[plane.axis][bin]);
   for (int bin = plane.bin; bin < scale.bins; ++bin) result.right.box.add(bins.boxes[plane.axis][bin]);
