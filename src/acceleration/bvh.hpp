@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+#include "acceleration/large_vector.hpp"
 #include "geometry/bounds.hpp"
 
 namespace trace {
@@ -27,7 +28,7 @@ struct alignas(64) BvhNode {
 };
 
 struct Bvh {
-  std::vector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
+  LargeVector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
   std::vector<std::uint32_t> order;  // items in the order of the leaves
   Vec3 centre{0};  // boxes are relative to it, so that they are tight wherever the items are
   std::array<float, 4> centre_error{};  // 2^-44 of its coordinates

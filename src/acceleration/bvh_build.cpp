@@ -11,92 +11,92 @@ namespace {
 
 // Above so many items the children of a node, and the splits between them, are done side by side.
 constexpr std::uint32_t parallel_size = 4096;
+constexpr std::size_t order_a_run = 1 << 17;
 
 // A subtree: a node, and the subtrees of those of its children that are not in `nodes` themselves.
 struct Part {
-  std::vector<BvhNode> nodes;  // nodes[0] is the root
+  LargeVector<BvhNode> nodes;  // nodes[0] is the root
   std::vector<Part> parts;     // of the children of nodes[0], in their order; empty if all are in `nodes`
 };
+
+// A node's children to be, of which the first `count` exist.
+struct Children {
+  BvhRange ranges[bvh_width];
+  bool is_leaf[bvh_width];
+  int count = 0;
+
+  void add(const BvhRange& range, bool leaf) {
+    ranges[count] = range;
+    is_leaf[count++] = leaf;
+  }
+};
+
+// With the leaves' items; the places of nodes are left 0.
+BvhNode node_of(const Children& children) {
+  FloatBox boxes[bvh_width];
+  for (int i = 0; i < bvh_width; ++i) {
+    boxes[i] = i < children.count ? children.ranges[i].box : FloatBox::empty();
+  }
+  BvhNode node;
+  for (int i = 0; i < bvh_width; i += 4) {
+    const FloatBox* of = boxes + i;
+    __m128 low[4] = {of[0].low, of[1].low, of[2].low, of[3].low};
+    __m128 high[4] = {of[0].high(), of[1].high(), of[2].high(), of[3].high()};
+    _MM_TRANSPOSE4_PS(low[0], low[1], low[2], low[3]);
+    _MM_TRANSPOSE4_PS(high[0], high[1], high[2], high[3]);
+    for (int axis = 0; axis < 3; ++axis) {
+      _mm_store_ps(node.low[axis] + i, low[axis]);
+      _mm_store_ps(node.high[axis] + i, high[axis]);
+    }
+  }
+  for (int i = 0; i < bvh_width; ++i) {
+    const bool is_leaf = i < children.count && children.is_leaf[i];
+    node.child[i] = is_leaf ? children.ranges[i].first : 0;
+    node.count[i] = is_leaf ? static_cast<std::uint8_t>(children.ranges[i].size()) : std::uint8_t{0};
+  }
+  return node;
+}
 
 class Builder {
  public:
   Builder(std::span<BoxReference> references, const LeafSizes& leaves, ThreadBudget& threads)
       : references_(references), leaves_(leaves), threads_(threads) {}
 
-  std::vector<BvhNode> build() {
+  LargeVector<BvhNode> build() const {
     const auto count = static_cast<std::uint32_t>(references_.size());
     Part part;
     const BvhRange all = whole_range(references_, 0, count, 0, threads_);
-    if (!subtree(all, part)) {
+    if (count <= leaves_.most) {
       Children root;
       root.add(all, true);
       part.nodes.push_back(node_of(root));
+    } else {
+      subtree(all, part);
     }
-    std::vector<BvhNode> nodes;
-    nodes.reserve(size_of(part));
-    append(part, nodes);
+    LargeVector<BvhNode> nodes(size_of(part));
+    put(part, nodes, 0);
     return nodes;
   }
 
  private:
-  struct Children {
-    BvhRange ranges[bvh_width];
-    bool is_leaf[bvh_width];
-    int count = 0;
-
-    void add(const BvhRange& range, bool leaf) {
-      ranges[count] = range;
-      is_leaf[count++] = leaf;
-    }
-  };
-
-  std::optional<BvhHalves> halves(const BvhRange& range) const {
-    return split(references_, range, leaves_, threads_);
-  }
-
-  static BvhNode node_of(const Children& children) {
-    BvhNode node{};
-    for (int i = 0; i < bvh_width; ++i) {
-      const FloatBox box = i < children.count ? children.ranges[i].box : FloatBox{};
-      alignas(16) float low[4], high[4];
-      _mm_store_ps(low, box.low);
-      _mm_store_ps(high, box.high());
-      for (int axis = 0; axis < 3; ++axis) {
-        node.low[axis][i] = low[axis];
-        node.high[axis][i] = high[axis];
-      }
-      if (i < children.count && children.is_leaf[i]) {
-        node.child[i] = children.ranges[i].first;
-        node.count[i] = static_cast<std::uint8_t>(children.ranges[i].size());
-      }
-    }
-    return node;
-  }
-
-  // False for a leaf.
-  bool subtree(const BvhRange& range, Part& part) const {
-    if (range.size() > parallel_size) {
-      large(range, part);
-      return true;
-    }
-    if (range.size() <= leaves_.most) return false;
-    const auto both = halves(range);
-    part.nodes.reserve(range.size() / 8 + 1);
+  // Of more items than a leaf holds.
+  void subtree(const BvhRange& range, Part& part) const {
+    if (range.size() > parallel_size) return large(range, part);
+    part.nodes.reserve(range.size() / 16 + 1);
     part.nodes.emplace_back();
-    small(*both, part.nodes, 0);
-    return true;
+    small(range, part.nodes, 0);
   }
 
   // Children by splitting in half, each half, and each of theirs, so that it can be done side by side.
   void open(const BvhRange& range, int levels, Children& children) const {
-    const auto both = levels > 0 ? halves(range) : std::nullopt;
-    if (!both) {
-      children.add(range, levels > 0);
+    BvhHalves halves;
+    if (levels == 0 || !split(references_, range, leaves_, threads_, halves)) {
+      children.add(range, range.size() <= leaves_.most);
       return;
     }
     Children right;
-    threads_.both([&] { open(both->left, levels - 1, children); },
-                  [&] { open(both->right, levels - 1, right); });
+    threads_.both([&] { open(halves.left, levels - 1, children); },
+                  [&] { open(halves.right, levels - 1, right); });
     for (int i = 0; i < right.count; ++i) children.add(right.ranges[i], right.is_leaf[i]);
   }
 
@@ -105,48 +105,45 @@ class Builder {
     open(range, 3, children);
     std::vector<Part> parts(static_cast<std::size_t>(children.count));
     parallel_each(threads_, 0, parts.size(), [&](std::size_t i) {
-      if (!children.is_leaf[i]) children.is_leaf[i] = !subtree(children.ranges[i], parts[i]);
+      if (!children.is_leaf[i]) subtree(children.ranges[i], parts[i]);
     });
     part.nodes.push_back(node_of(children));
     part.parts = std::move(parts);
   }
 
   // Children by splitting that with the largest surface until there are eight.
-  void small(const BvhHalves& first, std::vector<BvhNode>& nodes, std::uint32_t index) const {
+  void small(const BvhRange& range, LargeVector<BvhNode>& nodes, std::uint32_t index) const {
     Children children;
-    children.add(first.left, false);
-    children.add(first.right, false);
-    float areas[bvh_width] = {first.left.box.half_area(), first.right.box.half_area()};
+    children.add(range, false);
+    float areas[bvh_width] = {range.box.half_area()};
     while (children.count < bvh_width) {
       int widest = -1;
       for (int i = 0; i < children.count; ++i) {
         if (!children.is_leaf[i] && (widest < 0 || areas[i] > areas[widest])) widest = i;
       }
       if (widest < 0) break;
-      const auto both = halves(children.ranges[widest]);
-      if (!both) {
+      BvhHalves halves;
+      if (!split(references_, children.ranges[widest], leaves_, threads_, halves)) {
         children.is_leaf[widest] = true;
         continue;
       }
-      children.ranges[widest] = both->left;
-      areas[widest] = both->left.box.half_area();
-      areas[children.count] = both->right.box.half_area();
-      children.add(both->right, false);
+      children.ranges[widest] = halves.left;
+      areas[widest] = halves.left.box.half_area();
+      areas[children.count] = halves.right.box.half_area();
+      children.add(halves.right, false);
     }
-    std::optional<BvhHalves> below[bvh_width];
     for (int i = 0; i < children.count; ++i) {
       children.is_leaf[i] = children.is_leaf[i] || children.ranges[i].size() <= leaves_.most;
-      if (!children.is_leaf[i]) below[i] = halves(children.ranges[i]);
     }
     BvhNode node = node_of(children);
     for (int i = 0; i < children.count; ++i) {
-      if (!below[i]) continue;
+      if (children.is_leaf[i]) continue;
       node.child[i] = static_cast<std::uint32_t>(nodes.size());
       nodes.emplace_back();
     }
     nodes[index] = node;
     for (int i = 0; i < children.count; ++i) {
-      if (below[i]) small(*below[i], nodes, node.child[i]);
+      if (!children.is_leaf[i]) small(children.ranges[i], nodes, node.child[i]);
     }
   }
 
@@ -156,21 +153,26 @@ class Builder {
     return result;
   }
 
-  // Releases the memory of what it has appended.
-  static void append(Part& part, std::vector<BvhNode>& nodes) {
-    const auto base = static_cast<std::uint32_t>(nodes.size());
-    for (BvhNode node : part.nodes) {
-      for (int i = 0; i < bvh_width; ++i) {
-        if (node.count[i] == 0 && node.child[i] != 0) node.child[i] += base;
+  // From place `base` on. Releases the memory of what has been put.
+  void put(Part& part, LargeVector<BvhNode>& nodes, std::size_t base) const {
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      BvhNode node = part.nodes[i];
+      for (int child = 0; child < bvh_width; ++child) {
+        if (node.count[child] == 0 && node.child[child] != 0) {
+          node.child[child] += static_cast<std::uint32_t>(base);
+        }
       }
-      nodes.push_back(node);
+      nodes[base + i] = node;
+    }
+    std::vector<std::size_t> bases;
+    std::size_t next = base + part.nodes.size();
+    for (std::size_t i = 0; i < part.parts.size(); ++i) {
+      bases.push_back(next);
+      if (!part.parts[i].nodes.empty()) nodes[base].child[i] = static_cast<std::uint32_t>(next);
+      next += size_of(part.parts[i]);
     }
     part.nodes = {};
-    for (std::size_t i = 0; i < part.parts.size(); ++i) {
-      if (part.parts[i].nodes.empty()) continue;
-      nodes[base].child[i] = static_cast<std::uint32_t>(nodes.size());
-      append(part.parts[i], nodes);
-    }
+    parallel_each(threads_, 0, bases.size(), [&](std::size_t i) { put(part.parts[i], nodes, bases[i]); });
   }
 
   std::span<BoxReference> references_;
@@ -197,8 +199,10 @@ Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads) {
   result.slack = items.slack_;
   if (items.references_.empty()) return result;
   result.nodes = Builder(items.references_, leaves, threads).build();
-  result.order.reserve(items.references_.size());
-  for (const BoxReference& reference : items.references_) result.order.push_back(reference.item());
+  result.order.resize(items.references_.size());
+  parallel_runs(threads, result.order.size(), order_a_run, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result.order[i] = items.references_[i].item();
+  });
   return result;
 }
 

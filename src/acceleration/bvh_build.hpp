@@ -2,10 +2,12 @@
 #pragma once
 
 #include <span>
-#include <vector>
+#include <utility>
 
 #include "acceleration/bvh.hpp"
 #include "acceleration/bvh_reference.hpp"
+#include "acceleration/large_vector.hpp"
+#include "acceleration/parallel_each.hpp"
 #include "parallel/parallel.hpp"
 
 namespace trace {
@@ -25,16 +27,31 @@ class BvhItems {
   // `all` encloses the items, of which there will be `count`.
   BvhItems(const Bounds& all, std::size_t count);
 
-  void add(const DoubleLanes& low, const DoubleLanes& high) {
-    references_.push_back(
-        outward(static_cast<std::uint32_t>(references_.size()), low, high, DoubleLanes::load(centre_)));
+  // The same with all of them: box(i) is the low and the high corner of item i. Done side by side.
+  template <class Box>
+  BvhItems(const Bounds& all, std::size_t count, ThreadBudget& threads, const Box& box)
+      : BvhItems(all, count) {
+    references_.resize(count);
+    parallel_runs(threads, count, items_a_run, [&](std::size_t first, std::size_t last) {
+      const DoubleLanes centre = DoubleLanes::load(centre_);
+      for (std::size_t i = first; i < last; ++i) {
+        const std::pair<DoubleLanes, DoubleLanes> corners = box(i);
+        references_[i] = outward(static_cast<std::uint32_t>(i), corners.first, corners.second, centre);
+      }
+    });
   }
-  void add(const Bounds& b) { add(DoubleLanes::load(b.min), DoubleLanes::load(b.max)); }
+
+  void add(const Bounds& b) {
+    references_.push_back(outward(static_cast<std::uint32_t>(references_.size()), DoubleLanes::load(b.min),
+                                  DoubleLanes::load(b.max), DoubleLanes::load(centre_)));
+  }
 
  private:
   friend Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads);
 
-  std::vector<BoxReference> references_;
+  static constexpr std::size_t items_a_run = 8192;
+
+  LargeVector<BoxReference> references_;
   Vec3 centre_{0};
   float slack_ = 0;
 };

@@ -13,8 +13,12 @@ namespace trace {
 // Boxes in 32 bits: x, y, z and a fourth that does not count. The high corner is kept negated, so that both
 // corners grow by minima.
 struct alignas(32) FloatBox {
-  __m128 low = _mm_set1_ps(std::numeric_limits<float>::infinity());
-  __m128 minus_high = _mm_set1_ps(std::numeric_limits<float>::infinity());
+  __m128 low, minus_high;  // not initialized
+
+  static FloatBox empty() {
+    const __m128 infinity = _mm_set1_ps(std::numeric_limits<float>::infinity());
+    return {infinity, infinity};
+  }
 
   __m128 high() const { return _mm_xor_ps(minus_high, _mm_set1_ps(-0.0f)); }
 

@@ -1,6 +1,8 @@
 #include "acceleration/bvh_split.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace trace {
 namespace {
@@ -44,26 +46,40 @@ struct BinScale {
   __m128 place(__m128 centre) const { return _mm_mul_ps(_mm_sub_ps(centre, low), scale); }
 };
 
-// What lies in each bin of each axis.
+// What lies in each bin of each axis; only as many bins as the scale has are initialized.
 struct Bins {
   FloatBox boxes[3][most_bins];
-  std::uint32_t counts[most_bins][4] = {};  // of the axes, and none
+  std::uint32_t counts[most_bins][4];  // of the axes, and none
 
   Bins(std::span<const BoxReference> references, const BinScale& scale) {
-    const __m128 last = _mm_set1_ps(static_cast<float>(scale.bins - 1));  // no number exceeds it
-    for (const BoxReference& reference : references) {
-      const FloatBox box = reference.box;
-      const __m128i bin = _mm_cvttps_epi32(_mm_min_ps(scale.place(centre_of(box)), last));
-      const int x = _mm_cvtsi128_si32(bin);
-      const int y = _mm_cvtsi128_si32(_mm_shuffle_epi32(bin, _MM_SHUFFLE(1, 1, 1, 1)));
-      const int z = _mm_cvtsi128_si32(_mm_shuffle_epi32(bin, _MM_SHUFFLE(2, 2, 2, 2)));
-      boxes[0][x].add(box);
-      boxes[1][y].add(box);
-      boxes[2][z].add(box);
-      ++counts[x][0];
-      ++counts[y][1];
-      ++counts[z][2];
+    for (int bin = 0; bin < scale.bins; ++bin) {
+      for (int axis = 0; axis < 3; ++axis) boxes[axis][bin] = FloatBox::empty();
+      std::fill(std::begin(counts[bin]), std::end(counts[bin]), 0u);
     }
+    // Neighbours in the list often fall into the same bin, where the second has to wait for the first: the
+    // halves of the list take turns.
+    const std::size_t half = references.size() / 2;
+    const BoxReference* const second = references.data() + half;
+    for (std::size_t i = 0; i < half; ++i) {
+      add(references[i], scale);
+      add(second[i], scale);
+    }
+    if (references.size() % 2 != 0) add(references.back(), scale);
+  }
+
+  void add(const BoxReference& reference, const BinScale& scale) {
+    const __m128 last = _mm_set1_ps(static_cast<float>(scale.bins - 1));  // no number exceeds it
+    const FloatBox box = reference.box;
+    const __m128i bin = _mm_cvttps_epi32(_mm_min_ps(scale.place(centre_of(box)), last));
+    const int x = _mm_cvtsi128_si32(bin);
+    const int y = _mm_cvtsi128_si32(_mm_shuffle_epi32(bin, _MM_SHUFFLE(1, 1, 1, 1)));
+    const int z = _mm_cvtsi128_si32(_mm_shuffle_epi32(bin, _MM_SHUFFLE(2, 2, 2, 2)));
+    boxes[0][x].add(box);
+    boxes[1][y].add(box);
+    boxes[2][z].add(box);
+    ++counts[x][0];
+    ++counts[y][1];
+    ++counts[z][2];
   }
 
   void add(const Bins& other, int bins) {
@@ -90,7 +106,7 @@ Bins bins_of(std::span<const BoxReference> references, const BinScale& scale, Th
 struct BoxOfAxis {
   __m128 at[6];  // x, y, z of the low corner, then of the high one, negated
 
-  BoxOfAxis() { std::fill(std::begin(at), std::end(at), FloatBox().low); }
+  BoxOfAxis() { std::fill(std::begin(at), std::end(at), FloatBox::empty().low); }
   BoxOfAxis(const FloatBox& a, const FloatBox& b, const FloatBox& c) {
     transpose(a.low, b.low, c.low, at);
     transpose(a.minus_high, b.minus_high, c.minus_high, at + 3);
@@ -163,7 +179,6 @@ class Side {
   Side(const Plane& plane, const BinScale& scale)
       : scale_(scale), border_(_mm_set1_ps(static_cast<float>(plane.bin))) {}
 
-
   // In all lanes.
   template <int axis>
   __m128 left_lanes(__m128 centre) const {
@@ -178,7 +193,7 @@ class Side {
 
 // The boxes of the centres of both halves.
 struct HalfCentres {
-  FloatBox left, right;
+  FloatBox left = FloatBox::empty(), right = FloatBox::empty();
 
   void add(const HalfCentres& other) {
     left.add(other.left);
@@ -190,7 +205,7 @@ struct HalfCentres {
 // half, which grows by it or moves on by one.
 template <int axis>
 std::size_t partition_in_turn(std::span<BoxReference> references, const Side& side, HalfCentres& centres) {
-  FloatBox left_centres, right_centres;
+  FloatBox left_centres = FloatBox::empty(), right_centres = FloatBox::empty();
   BoxReference* right = references.data();
   for (BoxReference& at : references) {
     const BoxReference reference = at;
@@ -217,8 +232,9 @@ std::size_t partition_side_by_side(std::span<BoxReference> references, const Sid
   const std::size_t middle = references.size() / 2;
   HalfCentres others;
   std::size_t first = 0, second = 0;
-  threads.both([&] { first = partition_side_by_side<axis>(references.first(middle), side, centres, threads); },
-               [&] { second = partition_side_by_side<axis>(references.subspan(middle), side, others, threads); });
+  threads.both(
+      [&] { first = partition_side_by_side<axis>(references.first(middle), side, centres, threads); },
+      [&] { second = partition_side_by_side<axis>(references.subspan(middle), side, others, threads); });
   centres.add(others);
   const std::size_t left = first + second, moved = std::min(middle - first, second);
   const auto from = references.begin();
@@ -227,9 +243,8 @@ std::size_t partition_side_by_side(std::span<BoxReference> references, const Sid
   return left;
 }
 
-BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, const Bins& bins,
-                    const Plane& plane, const BinScale& scale, ThreadBudget& threads) {
-  BvhHalves result;
+void partition(std::span<BoxReference> references, const BvhRange& range, const Bins& bins,
+               const Plane& plane, const BinScale& scale, ThreadBudget& threads, BvhHalves& halves) {
   const auto of_range = references.subspan(range.first, range.size());
   const Side side(plane, scale);
   HalfCentres centres;
@@ -241,28 +256,25 @@ BvhHalves partition(std::span<BoxReference> references, const BvhRange& range, c
   } else {
     left = partition_side_by_side<2>(of_range, side, centres, threads);
   }
-  for (int bin = 0; bin < plane.bin; ++bin) result.left.box.add(bins.boxes[plane.axis][bin]);
-  for (int bin = plane.bin; bin < scale.bins; ++bin) result.right.box.add(bins.boxes[plane.axis][bin]);
-  result.left.centres = centres.left;
-  result.right.centres = centres.right;
-  result.left.first = range.first;
-  result.left.last = result.right.first = range.first + static_cast<std::uint32_t>(left);
-  result.right.last = range.last;
-  result.left.depth = result.right.depth = range.depth + 1;
-  return result;
+  const std::uint32_t middle = range.first + static_cast<std::uint32_t>(left);
+  halves.left = {FloatBox::empty(), centres.left, range.first, middle, range.depth + 1};
+  halves.right = {FloatBox::empty(), centres.right, middle, range.last, range.depth + 1};
+  for (int bin = 0; bin < plane.bin; ++bin) halves.left.box.add(bins.boxes[plane.axis][bin]);
+  for (int bin = plane.bin; bin < scale.bins; ++bin) halves.right.box.add(bins.boxes[plane.axis][bin]);
 }
 
-BvhHalves halves_by_count(std::span<BoxReference> references, const BvhRange& range, ThreadBudget& threads) {
+void halve_by_count(std::span<BoxReference> references, const BvhRange& range, ThreadBudget& threads,
+                    BvhHalves& halves) {
   const std::uint32_t middle = range.first + range.size() / 2;
-  return BvhHalves{whole_range(references, range.first, middle, range.depth + 1, threads),
-                   whole_range(references, middle, range.last, range.depth + 1, threads)};
+  halves.left = whole_range(references, range.first, middle, range.depth + 1, threads);
+  halves.right = whole_range(references, middle, range.last, range.depth + 1, threads);
 }
 
 }  // namespace
 
 BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t first, std::uint32_t last,
                      int depth, ThreadBudget& threads) {
-  BvhRange result;
+  BvhRange result{FloatBox::empty(), FloatBox::empty(), first, last, depth};
   if (last - first < parallel_size) {
     for (const BoxReference& reference : references.subspan(first, last - first)) {
       result.box.add(reference.box);
@@ -270,25 +282,25 @@ BvhRange whole_range(std::span<const BoxReference> references, std::uint32_t fir
     }
   } else {
     const std::uint32_t middle = first + (last - first) / 2;
-    BvhRange right;
-    threads.both([&] { result = whole_range(references, first, middle, depth, threads); },
+    BvhRange left, right;
+    threads.both([&] { left = whole_range(references, first, middle, depth, threads); },
                  [&] { right = whole_range(references, middle, last, depth, threads); });
-    result.box.add(right.box);
-    result.centres.add(right.centres);
+    for (const BvhRange& half : {left, right}) {
+      result.box.add(half.box);
+      result.centres.add(half.centres);
+    }
   }
-  result.first = first;
-  result.last = last;
-  result.depth = depth;
   return result;
 }
 
-std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRange& range,
-                               const LeafSizes& leaves, ThreadBudget& threads) {
+bool split(std::span<BoxReference> references, const BvhRange& range, const LeafSizes& leaves,
+           ThreadBudget& threads, BvhHalves& halves) {
   const std::uint32_t count = range.size();
-  if (count <= leaves.always) return std::nullopt;
+  if (count <= leaves.always) return false;
   if (range.depth >= max_sah_depth) {
-    if (count <= leaves.most) return std::nullopt;
-    return halves_by_count(references, range, threads);
+    if (count <= leaves.most) return false;
+    halve_by_count(references, range, threads, halves);
+    return true;
   }
   const BinScale scale(range);
   const Bins bins = bins_of(references.subspan(range.first, count), scale, threads);
@@ -296,11 +308,14 @@ std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRang
   if (count <= leaves.most) {
     const float area = range.box.half_area();
     const float split_cost = area > 0 ? leaves.box + plane.cost / area : leaves.box;
-    if (!(split_cost < static_cast<float>(count))) return std::nullopt;
+    if (!(split_cost < static_cast<float>(count))) return false;
   }
-  // Where no plane separates the centres: by count.
-  if (plane.axis < 0) return halves_by_count(references, range, threads);
-  return partition(references, range, bins, plane, scale, threads);
+  if (plane.axis >= 0) {
+    partition(references, range, bins, plane, scale, threads, halves);
+  } else {
+    halve_by_count(references, range, threads, halves);  // no plane separates the centres
+  }
+  return true;
 }
 
 }  // namespace trace

@@ -2,7 +2,6 @@
 // Construction of SAH-based Bounding Volume Hierarchies", 2007).
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "acceleration/bvh_build.hpp"
@@ -14,8 +13,8 @@ namespace trace {
 // A run of references with the box around them and the box of their boxes' centres, times two.
 struct BvhRange {
   FloatBox box, centres;
-  std::uint32_t first = 0, last = 0;
-  int depth = 0;  // splits above
+  std::uint32_t first, last;
+  int depth;  // splits above
 
   std::uint32_t size() const { return last - first; }
 };
@@ -28,9 +27,9 @@ struct BvhHalves {
   BvhRange left, right;
 };
 
-// Reorders the references of `range` so that both halves are runs; none where a leaf costs less. The result
-// depends on the references alone.
-std::optional<BvhHalves> split(std::span<BoxReference> references, const BvhRange& range,
-                               const LeafSizes& leaves, ThreadBudget& threads);
+// Reorders the references of `range` so that both halves are runs; false where a leaf costs less, which it
+// never does of more than leaves.most. The result depends on the references alone.
+bool split(std::span<BoxReference> references, const BvhRange& range, const LeafSizes& leaves,
+           ThreadBudget& threads, BvhHalves& halves);
 
 }  // namespace trace

@@ -10,15 +10,15 @@ namespace trace {
 namespace {
 
 constexpr LeafSizes leaf_sizes{4, bvh_width, 1};
-constexpr std::size_t nodes_a_run = 4096;
+constexpr std::size_t nodes_a_run = 128;
 
 Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, ThreadBudget& threads) {
-  BvhItems items(bounds, mesh.faces.size());
-  for (const FaceCorners& f : mesh.faces) {
+  BvhItems items(bounds, mesh.faces.size(), threads, [&](std::size_t face) {
+    const FaceCorners& f = mesh.faces[face];
     const DoubleLanes a = DoubleLanes::load(mesh.points[f[0]]), b = DoubleLanes::load(mesh.points[f[1]]),
                       c = DoubleLanes::load(mesh.points[f[2]]);
-    items.add(min(a, min(b, c)), max(a, max(b, c)));
-  }
+    return std::pair(min(a, min(b, c)), max(a, max(b, c)));
+  });
   return build_bvh(std::move(items), leaf_sizes, threads);
 }
 
@@ -45,21 +45,22 @@ void MeshTree::build(ThreadBudget& threads) {
 void MeshTree::sort_faces(ThreadBudget& threads) {
   faces_.resize(bvh_.order.size());
   filter_.values.resize(TriangleFilter::size_for(faces_.size()));
-  const std::size_t runs = (bvh_.nodes.size() + nodes_a_run - 1) / nodes_a_run;
-  parallel_each(threads, 0, runs, [&](std::size_t run) {
-    const std::size_t end = std::min(bvh_.nodes.size(), (run + 1) * nodes_a_run);
-    for (std::size_t i = run * nodes_a_run; i < end; ++i) {
+  parallel_runs(threads, bvh_.nodes.size(), nodes_a_run, [&](std::size_t first_node, std::size_t end) {
+    for (std::size_t i = first_node; i < end; ++i) {
       const BvhNode& node = bvh_.nodes[i];
       for (int child = 0; child < bvh_width; ++child) {
         const std::uint32_t first = node.child[child], count = node.count[child];
         for (std::uint32_t place = 0; place < count; ++place) {
           const std::uint32_t face = bvh_.order[first + place];
-          faces_[first + place] = {mesh_->faces[face], face};
-          filter_.set(first, count, place, mesh_->triangle(face), bvh_.centre);
+          const FaceCorners& f = mesh_->faces[face];
+          faces_[first + place] = {f, face};
+          filter_.set(first, count, place,
+                      Triangle({mesh_->points[f[0]], mesh_->points[f[1]], mesh_->points[f[2]]}), bvh_.centre);
         }
       }
     }
   });
+  std::fill(filter_.values.end() - TriangleFilter::beyond, filter_.values.end(), 0.0f);
 }
 
 bool MeshTree::closest(const Ray& ray, double limit, bool cull, LocalHit& hit) const {

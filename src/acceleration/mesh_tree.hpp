@@ -4,6 +4,7 @@
 #include <span>
 
 #include "acceleration/bvh.hpp"
+#include "acceleration/large_vector.hpp"
 #include "acceleration/triangle_filter.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/rounding.hpp"
@@ -69,7 +70,7 @@ class MeshTree {
   const Mesh* mesh_;
   double radius_;  // around the hierarchy's centre, as a sum of sizes
   Bvh bvh_;        // without its order, which is that of faces_
-  std::vector<LeafFace> faces_;
+  LargeVector<LeafFace> faces_;
   TriangleFilter filter_;
   const MeshKernels* kernels_;
 };

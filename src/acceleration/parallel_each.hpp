@@ -1,6 +1,7 @@
 // A list of work divided between the threads of a budget.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "parallel/parallel.hpp"
@@ -17,6 +18,13 @@ void parallel_each(ThreadBudget& threads, std::size_t first, std::size_t last, c
   const std::size_t middle = first + (last - first) / 2;
   threads.both([&] { parallel_each(threads, first, middle, work); },
                [&] { parallel_each(threads, middle, last, work); });
+}
+
+// work(first, last) for runs of about `size` that make up [0, count), divided likewise.
+template <class Work>
+void parallel_runs(ThreadBudget& threads, std::size_t count, std::size_t size, const Work& work) {
+  parallel_each(threads, 0, (count + size - 1) / size,
+                [&](std::size_t run) { work(run * size, std::min(count, (run + 1) * size)); });
 }
 
 }  // namespace trace

@@ -18,9 +18,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "acceleration/bvh.hpp"
+#include "acceleration/large_vector.hpp"
 #include "geometry/triangle.hpp"
 
 namespace trace {
@@ -31,7 +31,7 @@ struct TriangleFilter {
   static constexpr std::size_t floats = 10;
   static constexpr std::size_t beyond = 8;  // floats that may be read after the last
 
-  std::vector<float> values;
+  LargeVector<float> values;
 
   static std::size_t size_for(std::size_t triangles) { return floats * triangles + beyond; }
 
