@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "acceleration/large_vector.hpp"
 #include "geometry/bounds.hpp"
@@ -29,7 +28,7 @@ struct alignas(64) BvhNode {
 
 struct Bvh {
   LargeVector<BvhNode> nodes;        // the root is nodes[0]; empty where there are no items
-  std::vector<std::uint32_t> order;  // items in the order of the leaves
+  LargeVector<std::uint32_t> order;  // items in the order of the leaves
   Vec3 centre{0};  // boxes are relative to it, so that they are tight wherever the items are
   std::array<float, 4> centre_error{};  // 2^-44 of its coordinates
   float slack = 0;                      // by which a hit's t may come out too small (see upper_limit)
@@ -37,8 +36,9 @@ struct Bvh {
 
 // The surface-area heuristic's estimate of the work for a ray that meets the root: the sum over all nodes of
 // their surface, and over all leaves of their surface times their items, in units of the root's surface. A
-// node with its eight boxes counts as much as one item. 0 without nodes or where the root has no surface.
-double surface_area_cost(const Bvh& bvh);
+// node with its eight boxes counts as much as one item, or as one block of items where a search tests so many
+// at once. 0 without nodes or where the root has no surface.
+double surface_area_cost(const Bvh& bvh, unsigned block = 1);
 
 // Binary splits above any node are at most so many; deeper ranges are halved by count, which adds at most 32
 // levels. A node's children are at least one split below it.

@@ -182,26 +182,28 @@ class Builder {
 
 }  // namespace
 
-BvhItems::BvhItems(const Bounds& all, std::size_t count) {
+BvhItems::BvhItems(const Bounds& all, std::size_t most, LargeVector<float> memory)
+    : memory_(std::move(memory)) {
+  if (memory_.size() < memory_for(most)) memory_.resize(memory_for(most));
   if (!all.empty()) centre_ = 0.5 * all.min + 0.5 * all.max;
   if (!is_finite(centre_)) centre_ = Vec3(0);
   const double size = std::max(largest(all.min), largest(all.max));
   slack_ = static_cast<float>(0x1p-21 * largest(all.max - centre_) + 0x1p-40 * size);
-  references_.reserve(count);
 }
 
-Bvh build_bvh(BvhItems items, const LeafSizes& leaves, ThreadBudget& threads) {
+Bvh build_bvh(BvhItems&& items, const LeafSizes& leaves, ThreadBudget& threads) {
   Bvh result;
   result.centre = items.centre_;
   for (int axis = 0; axis < 3; ++axis) {
     result.centre_error[axis] = static_cast<float>(0x1p-44 * std::abs(result.centre[axis]));
   }
   result.slack = items.slack_;
-  if (items.references_.empty()) return result;
-  result.nodes = Builder(items.references_, leaves, threads).build();
-  result.order.resize(items.references_.size());
-  parallel_runs(threads, result.order.size(), order_a_run, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) result.order[i] = items.references_[i].item();
+  const std::span<BoxReference> references = items.references();
+  if (references.empty()) return result;
+  result.nodes = Builder(references, leaves, threads).build();
+  result.order.resize(references.size());
+  parallel_runs(threads, references.size(), order_a_run, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result.order[i] = references[i].item();
   });
   return result;
 }

@@ -25,7 +25,7 @@ double root_surface(const BvhNode& root) {
 
 }  // namespace
 
-double surface_area_cost(const Bvh& bvh) {
+double surface_area_cost(const Bvh& bvh, unsigned block) {
   if (bvh.nodes.empty()) return 0;
   const double whole = root_surface(bvh.nodes.front());
   if (!(whole > 0)) return 0;
@@ -33,7 +33,8 @@ double surface_area_cost(const Bvh& bvh) {
   for (const BvhNode& node : bvh.nodes) {
     for (int child = 0; child < bvh_width; ++child) {
       if (node.child[child] == 0 && node.count[child] == 0) continue;
-      sum += surface(node, child) * (node.count[child] == 0 ? 1 : node.count[child]);
+      const unsigned blocks = (node.count[child] + block - 1) / block;
+      sum += surface(node, child) * (node.count[child] == 0 ? 1 : blocks);
     }
   }
   return sum / whole;

@@ -12,14 +12,17 @@ namespace {
 constexpr LeafSizes leaf_sizes{4, bvh_width, 1};
 constexpr std::size_t nodes_a_run = 128;
 
-Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, ThreadBudget& threads) {
-  BvhItems items(bounds, mesh.faces.size(), threads, [&](std::size_t face) {
+// With `memory` for as long as it takes.
+Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, LargeVector<float>& memory, ThreadBudget& threads) {
+  BvhItems items(bounds, mesh.faces.size(), std::move(memory), threads, [&](std::size_t face) {
     const FaceCorners& f = mesh.faces[face];
     const DoubleLanes a = DoubleLanes::load(mesh.points[f[0]]), b = DoubleLanes::load(mesh.points[f[1]]),
                       c = DoubleLanes::load(mesh.points[f[2]]);
     return std::pair(min(a, min(b, c)), max(a, max(b, c)));
   });
-  return build_bvh(std::move(items), leaf_sizes, threads);
+  Bvh result = build_bvh(std::move(items), leaf_sizes, threads);
+  memory = items.take_memory();
+  return result;
 }
 
 }  // namespace
@@ -36,7 +39,10 @@ MeshTree::MeshTree(const Mesh& mesh, InstructionSet set) : mesh_(&mesh), kernels
 
 void MeshTree::build(ThreadBudget& threads) {
   const Bounds bounds = mesh_->bounds();
-  bvh_ = hierarchy_of(*mesh_, bounds, threads);
+  // Until the filter is made its memory serves for the hierarchy's references.
+  static_assert(TriangleFilter::floats * sizeof(float) >= sizeof(BoxReference));
+  filter_.values.resize(TriangleFilter::size_for(mesh_->faces.size()));
+  bvh_ = hierarchy_of(*mesh_, bounds, filter_.values, threads);
   radius_ = sum_of_sizes(glm::max(bounds.max - centre(), centre() - bounds.min));
   sort_faces(threads);
   bvh_.order = {};
@@ -44,7 +50,6 @@ void MeshTree::build(ThreadBudget& threads) {
 
 void MeshTree::sort_faces(ThreadBudget& threads) {
   faces_.resize(bvh_.order.size());
-  filter_.values.resize(TriangleFilter::size_for(faces_.size()));
   parallel_runs(threads, bvh_.nodes.size(), nodes_a_run, [&](std::size_t first_node, std::size_t end) {
     for (std::size_t i = first_node; i < end; ++i) {
       const BvhNode& node = bvh_.nodes[i];

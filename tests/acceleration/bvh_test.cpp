@@ -1,6 +1,7 @@
 #include "acceleration/bvh_build.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
 #include "tests/support/numbers_near.hpp"
@@ -23,7 +24,8 @@ std::multiset<std::uint32_t> touched(const Bvh& bvh, const Ray& ray) {
   return result;
 }
 
-std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> v) {
+std::vector<std::uint32_t> sorted(std::span<const std::uint32_t> items) {
+  std::vector<std::uint32_t> v(items.begin(), items.end());
   std::sort(v.begin(), v.end());
   return v;
 }
@@ -152,4 +154,77 @@ TEST_CASE("the hierarchy of the same items is the same every time") {
   for (Bounds& b : items) b.add(random.in_cube(10));
   const Bvh first = build_bvh(items, 4);
   for (int i = 0; i < 3; ++i) CHECK(build_bvh(items, 4).order == first.order);
+}
+
+TEST_CASE(
+    "so many items that they are counted, parted and written side by side give the same for any threads") {
+  const std::size_t size = 200'000;  // split() works side by side from 2^16 on
+  Random random(4);
+  std::vector<Bounds> boxes(size);
+  Bounds all;
+  for (Bounds& b : boxes) {
+    const Vec3 corner = random.in_cube(10);
+    b = {corner, corner + Vec3(0.01)};
+    all.add(b);
+  }
+  const auto built = [&](int threads) {
+    ThreadBudget budget(threads);
+    BvhItems items(all, size, {}, budget, [&](std::size_t i) {
+      return std::pair(DoubleLanes::load(boxes[i].min), DoubleLanes::load(boxes[i].max));
+    });
+    return build_bvh(std::move(items), {4, 8, 1}, budget);
+  };
+  const Bvh one = built(1);
+  CHECK(sorted(one.order) == up_to(size));
+  for (const int threads : {2, 5}) {
+    const Bvh many = built(threads);
+    CHECK(many.order == one.order);
+    REQUIRE(many.nodes.size() == one.nodes.size());
+    for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+      const BvhNode &p = one.nodes[i], &q = many.nodes[i];
+      REQUIRE(std::memcmp(p.low, q.low, sizeof p.low) == 0);
+      REQUIRE(std::memcmp(p.high, q.high, sizeof p.high) == 0);
+      REQUIRE(std::memcmp(p.child, q.child, sizeof p.child) == 0);
+      REQUIRE(std::memcmp(p.count, q.count, sizeof p.count) == 0);
+    }
+  }
+  // Each item in the box of its leaf, each node in its parent's box for it.
+  int outside = 0;
+  for (const BvhNode& node : one.nodes) {
+    for (int child = 0; child < bvh_width; ++child) {
+      const auto check = [&](int axis, float low, float high) {
+        outside += low < node.low[axis][child] || high > node.high[axis][child];
+      };
+      for (std::uint32_t i = 0; i < node.count[child]; ++i) {
+        const Bounds& b = boxes[one.order[node.child[child] + i]];
+        for (int axis = 0; axis < 3; ++axis) {
+          check(axis, static_cast<float>(b.min[axis] - one.centre[axis]),
+                static_cast<float>(b.max[axis] - one.centre[axis]));
+        }
+      }
+      if (node.count[child] != 0 || node.child[child] == 0) continue;
+      const BvhNode& below = one.nodes[node.child[child]];
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < bvh_width && (below.child[i] != 0 || below.count[i] != 0); ++i) {
+          check(axis, below.low[axis][i], below.high[axis][i]);
+        }
+      }
+    }
+  }
+  CHECK(outside == 0);
+}
+
+TEST_CASE("boxes at the end of the range of 32-bit numbers are kept") {
+  Random random(6);
+  std::vector<Bounds> items(300);
+  for (Bounds& b : items) {
+    b.add(random.in_cube(3e38));
+    b.add(random.in_cube(3e38));
+  }
+  const Bvh bvh = build_bvh(items, 4);
+  CHECK(sorted(bvh.order) == up_to(300));
+  for (std::uint32_t item = 0; item < items.size(); ++item) {
+    const Vec3 middle = 0.5 * items[item].min + 0.5 * items[item].max;
+    CHECK(touched(bvh, ray(middle, {0, 0, 1})).count(item) == 1);
+  }
 }

@@ -10,7 +10,7 @@
 namespace trace::bench {
 namespace {
 
-constexpr unsigned width = 8, most_items = 4;
+constexpr unsigned width = 8;
 
 double surface(const RTCBounds& b) {
   const double x = double(b.upper_x) - b.lower_x, y = double(b.upper_y) - b.lower_y,
@@ -44,7 +44,7 @@ void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
   for (unsigned i = 0; i < count; ++i) static_cast<Node*>(node)->surfaces[i] = surface(*bounds[i]);
 }
 
-double cost_below(const Node& root) {
+double cost_below(const Node& root, unsigned block) {
   double sum = 0;
   std::vector<const Node*> waiting{&root};
   while (!waiting.empty()) {
@@ -52,7 +52,8 @@ double cost_below(const Node& root) {
     waiting.pop_back();
     for (unsigned i = 0; i < node.children; ++i) {
       const Node& child = *node.child[i];
-      sum += node.surfaces[i] * (child.items == 0 ? 1.0 : static_cast<double>(child.items));
+      const std::size_t blocks = (child.items + block - 1) / block;
+      sum += node.surfaces[i] * (child.items == 0 ? 1.0 : static_cast<double>(blocks));
       waiting.push_back(&child);
     }
   }
@@ -61,7 +62,7 @@ double cost_below(const Node& root) {
 
 }  // namespace
 
-std::optional<double> embree_surface_area_cost(std::span<const Bounds> boxes) {
+std::optional<double> embree_surface_area_cost(std::span<const Bounds> boxes, unsigned block) {
   std::vector<RTCBuildPrimitive> items;
   items.reserve(boxes.size());
   Bounds all;
@@ -75,7 +76,8 @@ std::optional<double> embree_surface_area_cost(std::span<const Bounds> boxes) {
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
   arguments.maxBranchingFactor = width;
-  arguments.maxLeafSize = most_items;
+  arguments.sahBlockSize = block;
+  arguments.maxLeafSize = block > 1 ? 8 : 4;
   arguments.bvh = bvh;
   arguments.primitives = items.data();
   arguments.primitiveCount = arguments.primitiveArrayCapacity = items.size();
@@ -86,7 +88,8 @@ std::optional<double> embree_surface_area_cost(std::span<const Bounds> boxes) {
   const auto* root = static_cast<const Node*>(rtcBuildBVH(&arguments));
   const Vec3 size = all.max - all.min;
   const double whole = size.x * size.y + size.y * size.z + size.z * size.x;
-  const std::optional<double> cost = root ? std::optional(1 + cost_below(*root) / whole) : std::nullopt;
+  const std::optional<double> cost =
+      root ? std::optional(1 + cost_below(*root, block) / whole) : std::nullopt;
   rtcReleaseBVH(bvh);
   rtcReleaseDevice(device);
   return cost;
@@ -98,7 +101,7 @@ std::optional<double> embree_surface_area_cost(std::span<const Bounds> boxes) {
 
 namespace trace::bench {
 
-std::optional<double> embree_surface_area_cost(std::span<const Bounds>) {
+std::optional<double> embree_surface_area_cost(std::span<const Bounds>, unsigned) {
   return std::nullopt;
 }
 
