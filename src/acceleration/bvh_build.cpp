@@ -11,6 +11,7 @@ namespace {
 
 // Above so many items the children of a node, and the splits between them, are done side by side.
 constexpr std::uint32_t parallel_size = 4096;
+constexpr std::size_t parallel_nodes = 4096;  // above, nodes are moved side by side
 constexpr std::size_t order_a_run = 1 << 17;
 
 // A subtree: a node, and the subtrees of those of its children that are not in `nodes` themselves.
@@ -87,7 +88,7 @@ class Builder {
     small(range, part.nodes, 0);
   }
 
-  // Children by splitting in half, each half, and each of theirs, so that it can be done side by side.
+  // Children by splitting in half, each half, and each of theirs, large ones side by side.
   void open(const BvhRange& range, int levels, Children& children) const {
     BvhHalves halves;
     if (levels == 0 || !split(references_, range, leaves_, threads_, halves)) {
@@ -95,8 +96,14 @@ class Builder {
       return;
     }
     Children right;
-    threads_.both([&] { open(halves.left, levels - 1, children); },
-                  [&] { open(halves.right, levels - 1, right); });
+    const auto open_left = [&] { open(halves.left, levels - 1, children); };
+    const auto open_right = [&] { open(halves.right, levels - 1, right); };
+    if (range.size() > 2 * parallel_size) {
+      threads_.both(open_left, open_right);
+    } else {
+      open_left();
+      open_right();
+    }
     for (int i = 0; i < right.count; ++i) children.add(right.ranges[i], right.is_leaf[i]);
   }
 
@@ -104,7 +111,7 @@ class Builder {
     Children children;
     open(range, 3, children);
     std::vector<Part> parts(static_cast<std::size_t>(children.count));
-    parallel_each(threads_, 0, parts.size(), [&](std::size_t i) {
+    parallel_each(threads_, parts.size(), [&](std::size_t i) {
       if (!children.is_leaf[i]) subtree(children.ranges[i], parts[i]);
     });
     part.nodes.push_back(node_of(children));
@@ -172,7 +179,12 @@ class Builder {
       next += size_of(part.parts[i]);
     }
     part.nodes = {};
-    parallel_each(threads_, 0, bases.size(), [&](std::size_t i) { put(part.parts[i], nodes, bases[i]); });
+    const auto put_part = [&](std::size_t i) { put(part.parts[i], nodes, bases[i]); };
+    if (next - base > parallel_nodes) {
+      parallel_each(threads_, bases.size(), put_part);
+    } else {
+      for (std::size_t i = 0; i < bases.size(); ++i) put_part(i);
+    }
   }
 
   std::span<BoxReference> references_;

@@ -53,7 +53,7 @@ class BvhItems {
  private:
   friend Bvh build_bvh(BvhItems&& items, const LeafSizes& leaves, ThreadBudget& threads);
 
-  static constexpr std::size_t items_a_run = 8192;
+  static constexpr std::size_t items_a_run = 1 << 14;
 
   BvhItems(const Bounds& all, std::size_t most, LargeVector<float> memory);
 
