@@ -38,6 +38,7 @@ unsigned char* allocate(void* context, int width, int height) noexcept {
 }  // namespace
 
 void settle_openimageio(const std::filesystem::path&, std::initializer_list<std::string_view>) {}
+void settle_openimageio() {}
 
 Image read_with_openimageio(const std::filesystem::path& file, std::string_view format,
                             const ModulePlaces& places) {

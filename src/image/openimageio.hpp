@@ -25,6 +25,10 @@ ModulePlaces openimageio_places();
 // here.
 void settle_openimageio(const std::filesystem::path& output, std::initializer_list<std::string_view> read);
 
+// The same for a run that may come upon any format too late to start over: where such a program can start
+// over at all, it does so here.
+void settle_openimageio();
+
 // The picture in a file of the format called `format` ("JPEG"; for messages). Throws ImageError, also if the
 // module or OpenImageIO is not installed.
 Image read_with_openimageio(const std::filesystem::path& file, std::string_view format,

@@ -27,6 +27,10 @@ void settle_openimageio(const std::filesystem::path& output, std::initializer_li
   if ((format && format->codec == Codec::openimageio) || !can_be_read_again(read)) start_over_dynamically();
 }
 
+void settle_openimageio() {
+  start_over_dynamically();
+}
+
 Image read_with_openimageio(const std::filesystem::path&, std::string_view format, const ModulePlaces&) {
   leave("reading", format);
 }

@@ -18,8 +18,7 @@ inline constexpr const char* dynamic_program_name = "trace_dynamic";
 void start_over_dynamically();
 
 // Whether reading all of these again gives the same: each is a regular file, or is not there at all. Not so
-// standard input
-// ("-") and pipes. Empty names stand for no file.
+// standard input ("-") and pipes. Empty names stand for no file.
 bool can_be_read_again(std::initializer_list<std::string_view> files);
 
 }  // namespace trace

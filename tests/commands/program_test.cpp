@@ -68,18 +68,21 @@ TEST_CASE("without its module the program still draws, and says which package ot
              Catch::Contains("OpenImageIO") && Catch::Contains("libopenimageio2.4"));
 }
 
-TEST_CASE(
-    "where the program has two forms, the first says that it needs the second for batches and comparisons") {
+TEST_CASE("where the program has two forms, the first alone does all but the formats of OpenImageIO") {
   if (std::string_view(TRACE_PROGRAM) == TRACE_DYNAMIC_PROGRAM) return;
   const TemporaryFolder folder;
   std::filesystem::copy_file(TRACE_PROGRAM, folder.path() / "trace");
-  for (const std::string command : {"batch", "diff"}) {
-    const int status = std::system(
-        ("cd '" + folder.path().string() + "' && ./trace " + command + " --help 2>errors").c_str());
-    CHECK(WEXITSTATUS(status) == 3);
-    CHECK(read_text(folder.path() / "errors") ==
-          "trace: error: this command needs trace_dynamic beside the program\n");
-  }
+  write_image(folder.path() / "a.png", {2, 2, std::vector<std::uint8_t>(12, 255)});
+  write_image(folder.path() / "a.tif", {2, 2, std::vector<std::uint8_t>(12, 255)});
+  const auto status_of = [&](const std::string& arguments) {
+    return WEXITSTATUS(
+        std::system(("cd '" + folder.path().string() + "' && ./trace " + arguments + " >out 2>&1").c_str()));
+  };
+  CHECK(status_of("diff a.png a.png") == 0);
+  CHECK(status_of("batch --help") == 0);
+  CHECK(status_of("diff a.png a.tif") == 3);
+  CHECK_THAT(read_text(folder.path() / "out"), Catch::Contains("reading TIFF needs OpenImageIO") &&
+                                                   Catch::Contains("and trace_dynamic beside the program"));
 }
 
 }  // namespace trace::test
