@@ -9,7 +9,7 @@
 namespace trace {
 namespace {
 
-constexpr LeafSizes leaf_sizes{4, bvh_width, 1};
+constexpr LeafSizes face_leaves{4, bvh_width, 1};
 constexpr std::size_t nodes_a_run = 128;
 
 // With `memory` for as long as it takes.
@@ -20,7 +20,7 @@ Bvh hierarchy_of(const Mesh& mesh, const Bounds& bounds, LargeVector<float>& mem
                       c = DoubleLanes::load(mesh.points[f[2]]);
     return std::pair(min(a, min(b, c)), max(a, max(b, c)));
   });
-  Bvh result = build_bvh(std::move(items), leaf_sizes, threads);
+  Bvh result = build_bvh(std::move(items), face_leaves, threads);
   memory = items.take_memory();
   return result;
 }

@@ -9,7 +9,7 @@
 namespace trace {
 namespace {
 
-constexpr float greatest = std::numeric_limits<float>::max();
+constexpr float most_float = std::numeric_limits<float>::max();
 
 // Sample i goes to lane i mod row_block, so that the order of additions is the same on every machine and can
 // still be done for several samples at once.
@@ -24,8 +24,8 @@ TRACE_VECTOR_CLONES void add_row(const float* __restrict r, const float* __restr
   for (std::size_t x = 0; x < width; x += row_block)
     for (std::size_t lane = 0; lane < row_block; ++lane) {
       const float raw = t[x + lane] - r[x + lane];
-      const float above = raw > -greatest ? raw : -greatest;
-      const float difference = above < greatest ? above : greatest;
+      const float above = raw > -most_float ? raw : -most_float;
+      const float difference = above < most_float ? above : most_float;
       const float size = std::abs(difference);
       const auto exact = static_cast<double>(difference);
       lanes.magnitude[lane] += std::abs(exact);
@@ -33,7 +33,7 @@ TRACE_VECTOR_CLONES void add_row(const float* __restrict r, const float* __restr
       lanes.sum[lane] += exact;
       lanes.largest[lane] = lanes.largest[lane] > size ? lanes.largest[lane] : size;
       const float scaled = size * levels_per_unit;
-      const float level = scaled < greatest ? scaled : greatest;
+      const float level = scaled < most_float ? scaled : most_float;
       const float before = levels[x + lane];
       levels[x + lane] = before < 0 || before > level ? before : level;
     }

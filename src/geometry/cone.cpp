@@ -11,10 +11,6 @@ namespace {
 constexpr double min_radius = 1e-4;  // the language's: keeps a pointed cone's tip from degenerating
 constexpr double min_slope = 1e-3;   // the language's: a cone without slope is drawn with this one
 
-double radius_squared(const Vec3& p) {
-  return p.x * p.x + p.y * p.y;
-}
-
 }  // namespace
 
 Cone::Cone(double bottom_radius, double top_radius, double height, bool capped)

@@ -30,10 +30,6 @@ bool roots_of_side(const Ray& ray, double a, double c, Roots& roots) {
   return true;
 }
 
-double radius_squared(const Vec3& p) {
-  return p.x * p.x + p.y * p.y;
-}
-
 }  // namespace
 
 bool Cylinder::intersect(const Ray& ray, LocalHit& hit) const {

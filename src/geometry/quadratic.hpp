@@ -6,6 +6,11 @@
 
 namespace trace {
 
+// Of the distance from the z axis, round which cones and cylinders stand.
+inline double radius_squared(const Vec3& p) {
+  return p.x * p.x + p.y * p.y;
+}
+
 // Roots of a t^2 + 2 h t + c = 0.
 struct Roots {
   double first, second;  // (-h - root) / a and (-h + root) / a; in this order by size where a > 0

@@ -15,7 +15,7 @@ namespace trace {
 namespace {
 
 // Where the module's samples go, and why there is no room for them.
-struct Destination {
+struct RasterOrRefusal {
   Raster raster;
   std::string refusal;
 };
@@ -25,7 +25,7 @@ SampleType sample_type(int bits) {
 }
 
 float* allocate(void* context, int width, int height, int channels, int integer_bits) noexcept {
-  auto& destination = *static_cast<Destination*>(context);
+  auto& destination = *static_cast<RasterOrRefusal*>(context);
   try {
     check_samples(width, height, channels);
     destination.raster = {width, height, channels, sample_type(integer_bits), {}};
@@ -52,7 +52,7 @@ Raster read_raster_with_openimageio(const std::filesystem::path& file, std::stri
                                     const ModulePlaces& places) {
   const SharedObject module = load_openimageio(fmt::format("reading {}", format), places);
   const auto read = openimageio_function<TraceReadSamples>(module, TRACE_READ_SAMPLES);
-  Destination destination;
+  RasterOrRefusal destination;
   std::array<char, 512> reason{};
   if (!read(file.c_str(), allocate, &destination, reason.data(), reason.size()))
     throw ImageError(!destination.refusal.empty()

@@ -6,13 +6,13 @@
 namespace trace::test {
 namespace {
 
-constexpr const char* scene =
+constexpr const char* plain_scene =
     "SBT-raytracer 1.0\nsquare { material = { emissive = (1, 0.5, 0.25); } }\n"
     "camera { position = (0, 0, 1); }\n";
 
 struct Desk {
   TemporaryFolder folder;
-  Desk() { write_text(folder.path() / "a.ray", scene); }
+  Desk() { write_text(folder.path() / "a.ray", plain_scene); }
   Outcome trace(const std::string& arguments, const std::string& input = "") const {
     return run_trace(folder.path(), arguments, {}, input);
   }
@@ -51,7 +51,7 @@ TEST_CASE("the course's options are understood as its scripts write them") {
 
 TEST_CASE("a scene comes from standard input") {
   const Desk desk;
-  CHECK(desk.trace("-w 4 - out.png", scene).status == 0);
+  CHECK(desk.trace("-w 4 - out.png", plain_scene).status == 0);
   CHECK(desk.image("out.png").width == 4);
   const Outcome wrong = desk.trace("-w 4 - no.png", "SBT-raytracer 1.0\nsphere [\n");
   CHECK(wrong.status == 1);

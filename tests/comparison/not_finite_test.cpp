@@ -11,13 +11,13 @@ using namespace trace::test;
 
 namespace {
 
-constexpr float nan_sample = std::numeric_limits<float>::quiet_NaN();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
 TEST_CASE("a NaN pixel against a finite one is not identical") {
-  const Measurements m = measure(floats(2, 1, 1, {0.5F, 0.5F}), floats(2, 1, 1, {0.5F, nan_sample}));
+  const Measurements m = measure(floats(2, 1, 1, {0.5F, 0.5F}), floats(2, 1, 1, {0.5F, not_a_number}));
   CHECK_FALSE(m.identical());
   CHECK(m.not_finite.reference == 0);
   CHECK(m.not_finite.test == 1);
@@ -34,7 +34,7 @@ TEST_CASE("an infinite pixel is not finite on either side") {
 }
 
 TEST_CASE("NaN at the same place in both pictures is not identical either") {
-  const Raster picture = floats(1, 1, 3, {0, nan_sample, 0});
+  const Raster picture = floats(1, 1, 3, {0, not_a_number, 0});
   const Measurements m = measure(picture, picture);
   CHECK_FALSE(m.identical());
   CHECK(m.not_finite.reference == 1);
@@ -43,7 +43,7 @@ TEST_CASE("NaN at the same place in both pictures is not identical either") {
 
 TEST_CASE("what is not finite is left out of every other figure") {
   // Besides the NaN, one pixel of two is off by half of full scale.
-  const Raster reference = floats(3, 1, 1, {0, nan_sample, 0}), test = floats(3, 1, 1, {0.5F, 0, 0});
+  const Raster reference = floats(3, 1, 1, {0, not_a_number, 0}), test = floats(3, 1, 1, {0.5F, 0, 0});
   const Measurements m = measure(reference, test);
   CHECK(m.error.root_mean_square == Approx(std::sqrt(127.5 * 127.5 / 2)));
   CHECK(m.error.mean_absolute == Approx(63.75));
@@ -54,7 +54,7 @@ TEST_CASE("what is not finite is left out of every other figure") {
 }
 
 TEST_CASE("SSIM and FLIP are absent where a sample of either picture is not finite") {
-  const Raster good = floats(3, 1, 1, {0.5F, 0.5F, 0}), bad = floats(3, 1, 1, {0, nan_sample, 0});
+  const Raster good = floats(3, 1, 1, {0.5F, 0.5F, 0}), bad = floats(3, 1, 1, {0, not_a_number, 0});
   const Raster finite = floats(3, 1, 1, {0, 1, 0});
   CHECK(measure(good, finite).ssim);
   CHECK(measure(good, finite).flip);
@@ -65,7 +65,7 @@ TEST_CASE("SSIM and FLIP are absent where a sample of either picture is not fini
 }
 
 TEST_CASE("samples that are not finite are found in a picture that says it holds bytes") {
-  for (const float value : {nan_sample, infinite, -infinite}) {
+  for (const float value : {not_a_number, infinite, -infinite}) {
     const Raster reference = uniform(20, 2, 3, 10);
     Raster test = uniform(20, 2, 3, 13);
     test.samples[70] = value;
@@ -81,7 +81,7 @@ TEST_CASE("samples that are not finite are found in a picture that says it holds
 }
 
 TEST_CASE("a picture of nothing but NaN has figures all the same") {
-  const Raster picture = floats(2, 2, 1, std::vector<float>(4, nan_sample));
+  const Raster picture = floats(2, 2, 1, std::vector<float>(4, not_a_number));
   const Measurements m = measure(picture, floats(2, 2, 1, {1, 1, 1, 1}));
   CHECK(m.not_finite.reference == 4);
   CHECK(m.error.root_mean_square == 0);

@@ -7,13 +7,13 @@ namespace trace::test {
 namespace {
 
 const std::string edges = "edges: differs along edges only: antialiasing or sampling position";
-const char* const scenes[] = {"features/sphere", "features/box", "features/coloured_lights",
-                              "features/groups"};
+const char* const outlined_scenes[] = {"features/sphere", "features/box", "features/coloured_lights",
+                                       "features/groups"};
 
 }  // namespace
 
 TEST_CASE("a picture sampled at the middle of its pixels differs along edges only") {
-  for (const char* scene : scenes) {
+  for (const char* scene : outlined_scenes) {
     Way way = right_way();
     way.shift_x = way.shift_y = 0.5;
     INFO(scene);
@@ -22,7 +22,7 @@ TEST_CASE("a picture sampled at the middle of its pixels differs along edges onl
 }
 
 TEST_CASE("an antialiased picture differs along edges only, and so does one that lacks it") {
-  for (const char* scene : scenes) {
+  for (const char* scene : outlined_scenes) {
     Way way = right_way();
     way.options.antialiasing.enabled = true;
     const Raster plain = our_solution(scene), smooth = picture(our_scene(scene), way);

@@ -6,8 +6,8 @@
 namespace trace::test {
 namespace {
 
-const char* const scenes[] = {"features/sphere", "features/reflection", "features/texture_box",
-                              "features/coloured_lights"};
+const char* const whole_frames[] = {"features/sphere", "features/reflection", "features/texture_box",
+                                    "features/coloured_lights"};
 
 struct Shift {
   double x, y;  // of the samples, right and up: the content goes the other way
@@ -24,7 +24,7 @@ TEST_CASE("a picture sampled whole pixels away is said to be shifted the other w
       {0, 4, "shifted: shifted by 4 pixels down"},
       {-1, 3, "shifted: shifted by 1 pixel to the right and 3 pixels down"},
   };
-  for (const char* scene : scenes) {
+  for (const char* scene : whole_frames) {
     const Raster reference = our_solution(scene);
     for (const Shift& shift : shifts) {
       Way way = right_way();
@@ -37,7 +37,7 @@ TEST_CASE("a picture sampled whole pixels away is said to be shifted the other w
 }
 
 TEST_CASE("a shift by more than four pixels is not diagnosed") {
-  for (const char* scene : scenes) {
+  for (const char* scene : whole_frames) {
     Way way = right_way();
     way.shift_x = 6;
     INFO(scene);
@@ -46,7 +46,7 @@ TEST_CASE("a shift by more than four pixels is not diagnosed") {
 }
 
 TEST_CASE("a flipped picture is said to be flipped, and in which way") {
-  for (const char* scene : scenes) {
+  for (const char* scene : whole_frames) {
     const Raster reference = our_solution(scene);
     INFO(scene);
     CHECK(diagnosed(reference, flipped(reference, true, false)) == "flipped: flipped left-right");
@@ -66,7 +66,7 @@ TEST_CASE("a mirrored camera axis is a flip with a shift, as a pixel's sample is
 }
 
 TEST_CASE("swapped channels are named") {
-  for (const char* scene : scenes) {
+  for (const char* scene : whole_frames) {
     const Raster reference = our_solution(scene);
     INFO(scene);
     CHECK(diagnosed(reference, channels_swapped(reference)) == "channels-swapped: red and blue are swapped");

@@ -9,8 +9,8 @@
 namespace trace::test {
 namespace {
 
-const char* const scenes[] = {"features/sphere", "features/box", "features/reflection",
-                              "features/texture_box", "features/directional_light"};
+const char* const unlike_scenes[] = {"features/sphere", "features/box", "features/reflection",
+                                     "features/texture_box", "features/directional_light"};
 
 Raster shadowless(const Scene& scene, Way way) {
   way.options.shading.shadows = false;
@@ -20,7 +20,7 @@ Raster shadowless(const Scene& scene, Way way) {
 }  // namespace
 
 TEST_CASE("equal pictures have no diagnosis, nor have pictures with a handful of other pixels") {
-  for (const char* scene : scenes) {
+  for (const char* scene : unlike_scenes) {
     const Raster reference = our_solution(scene);
     Raster test = reference;
     INFO(scene);
@@ -31,7 +31,7 @@ TEST_CASE("equal pictures have no diagnosis, nor have pictures with a handful of
 }
 
 TEST_CASE("noise has no diagnosis") {
-  for (const char* scene : scenes) {
+  for (const char* scene : unlike_scenes) {
     const Raster reference = our_solution(scene);
     INFO(scene);
     for (const int levels : {2, 5, 10, 30})
@@ -40,8 +40,8 @@ TEST_CASE("noise has no diagnosis") {
 }
 
 TEST_CASE("pictures of different scenes have no diagnosis") {
-  for (const char* a : scenes)
-    for (const char* b : scenes) {
+  for (const char* a : unlike_scenes)
+    for (const char* b : unlike_scenes) {
       const Raster first = our_solution(a), second = our_solution(b);
       if (std::string(a) == b || first.height != second.height) continue;
       INFO(a << " and " << b);

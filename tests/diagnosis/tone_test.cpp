@@ -9,8 +9,8 @@
 namespace trace::test {
 namespace {
 
-const char* const scenes[] = {"features/sphere", "features/reflection", "features/texture_box",
-                              "features/directional_light"};
+const char* const toned_scenes[] = {"features/sphere", "features/reflection", "features/texture_box",
+                                    "features/directional_light"};
 
 Tone power(double exponent) {
   return [exponent](double v) { return std::pow(clamped(v), exponent); };
@@ -24,7 +24,7 @@ double srgb(double v) {
 }  // namespace
 
 TEST_CASE("gamma applied to the renderer's colours is diagnosed with its value") {
-  for (const char* scene : scenes) {
+  for (const char* scene : toned_scenes) {
     const Raster reference = our_solution(scene);
     const auto with = [&](const Tone& tone) {
       Way way = right_way();
@@ -40,7 +40,7 @@ TEST_CASE("gamma applied to the renderer's colours is diagnosed with its value")
 }
 
 TEST_CASE("gamma applied to the finished bytes is diagnosed too") {
-  for (const char* scene : scenes) {
+  for (const char* scene : toned_scenes) {
     const Raster reference = our_solution(scene);
     INFO(scene);
     CHECK(diagnosed(reference, toned(reference, power(1 / 2.2))) == "gamma: gamma 2.2 was applied");
@@ -60,7 +60,7 @@ TEST_CASE("all lights scaled by a factor are a scaled brightness with that facto
 }
 
 TEST_CASE("a picture of one colour is said to be that") {
-  for (const char* scene : scenes) {
+  for (const char* scene : toned_scenes) {
     const Raster reference = our_solution(scene);
     INFO(scene);
     CHECK(diagnosed(reference, toned(reference, [](double) { return 0.0; })) == "blank: black everywhere");

@@ -9,7 +9,7 @@ using namespace trace::test;
 
 namespace {
 
-Frame scaled(const Vec3& factors) {
+Frame frame_scaled(const Vec3& factors) {
   return Frame(Placement().inside(scaling(factors)));
 }
 
@@ -30,13 +30,13 @@ TEST_CASE("normals are right at every scale, and outward under every mirror") {
     for (const Vec3& s : {Vec3(1, 2, 4), Vec3(-1, 2, 4), Vec3(-1, -2, 4), Vec3(-1, -2, -4)}) {
       INFO(size << " " << s.x);
       const Vec3 factors = size * s;
-      CHECK(scaled(factors).world_normal(n) == near(normal_under_scale(n, factors), 1e-15));
+      CHECK(frame_scaled(factors).world_normal(n) == near(normal_under_scale(n, factors), 1e-15));
     }
   }
 }
 
 TEST_CASE("factors of any ratio leave normals of unit length") {
-  const Frame frame = scaled({1e-170, 1, 1e170});  // the cofactors are 340 decades apart
+  const Frame frame = frame_scaled({1e-170, 1, 1e170});  // the cofactors are 340 decades apart
   CHECK(frame.world_normal({1, 0, 0}) == near(1, 0, 0));
   CHECK(frame.world_normal({0, 1, 0}) == near(0, 1, 0));
   CHECK(frame.world_normal({0, 0, 1}) == near(0, 0, 1));
@@ -80,12 +80,12 @@ TEST_CASE("a disc 1e-17 thin keeps the thickness that its matrix has lost") {
 }
 
 TEST_CASE("a place is singular only where nothing can be saved") {
-  CHECK_FALSE(scaled({1, 1, 0}).invertible());
-  CHECK_FALSE(scaled({1e-309, 1, 1}).invertible());  // 1 / 1e-309 is infinite
+  CHECK_FALSE(frame_scaled({1, 1, 0}).invertible());
+  CHECK_FALSE(frame_scaled({1e-309, 1, 1}).invertible());  // 1 / 1e-309 is infinite
   CHECK_FALSE(Frame(Placement().inside(scaling(Vec3(1e200))).inside(scaling(Vec3(1e200)))).invertible());
   CHECK_FALSE(Frame(Placement().inside(scaling(Vec3(1e-200))).inside(scaling(Vec3(1e-200)))).invertible());
   CHECK_FALSE(Frame(Placement().inside(rotation(Vec3(0), 1))).invertible());
-  CHECK(scaled({1e-300, 1e300, 1}).invertible());
+  CHECK(frame_scaled({1e-300, 1e300, 1}).invertible());
 }
 
 TEST_CASE("the direction of a ray from far away does not suffer from its origin") {

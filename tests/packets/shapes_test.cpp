@@ -21,13 +21,13 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-struct Disagreements {
+struct ShapeDisagreements {
   int hits = 0, unusual = 0, different = 0;
   std::string first;  // the first ray that differs
 };
 
 void compare(const Shape& shape, const std::vector<Ray>& rays, const PacketKernels& kernels,
-             Disagreements& result) {
+             ShapeDisagreements& result) {
   for_each_packet(rays, kernels.lanes, [&](std::span<const Ray> packet, std::size_t first) {
     // Of some packets, not all rays are active.
     const unsigned active = first % 5 == 0 ? all_of(packet.size()) & 0xb6d7u : all_of(packet.size());
@@ -74,7 +74,7 @@ TEST_CASE("a shape's packet kernel has the bits of its scalar code, or says that
     for (const RayKind kind : all_ray_kinds) {
       const auto rays = some_rays(shapes()[shape], kind, 1500);
       for (const PacketKernels& kernels : packet_kernels()) {
-        Disagreements result;
+        ShapeDisagreements result;
         compare(shapes()[shape], rays, kernels, result);
         INFO("shape " << shape << ", rays " << static_cast<int>(kind) << ", " << name_of(kernels.set) << ": "
                       << result.first);
@@ -91,7 +91,7 @@ TEST_CASE("packets never hit a cone of negative height") {
   for (const RayKind kind : {RayKind::past, RayKind::inside, RayKind::on_grid}) {
     const auto rays = some_rays(cone, kind, 500);
     for (const PacketKernels& kernels : packet_kernels()) {
-      Disagreements result;
+      ShapeDisagreements result;
       compare(cone, rays, kernels, result);
       CHECK(result.hits + result.different + result.unusual == 0);
     }
@@ -104,7 +104,7 @@ TEST_CASE("of ordinary rays hardly any is unusual for packets") {
     for (const RayKind kind : {RayKind::towards, RayKind::past, RayKind::inside, RayKind::leaving}) {
       const auto rays = some_rays(shapes()[shape], kind, 4000);
       for (const PacketKernels& kernels : packet_kernels()) {
-        Disagreements result;
+        ShapeDisagreements result;
         compare(shapes()[shape], rays, kernels, result);
         INFO("shape " << shape << ", rays " << static_cast<int>(kind) << ", " << name_of(kernels.set));
         CHECK(result.unusual <= 4);
@@ -121,7 +121,7 @@ TEST_CASE("rays along a face of the box and beside it are not unusual") {
     rays.push_back({{beside, random.between(-1, 1), -2}, {0, random.between(-0.1, 0.1), 1}});
   }
   for (const PacketKernels& kernels : packet_kernels()) {
-    Disagreements result;
+    ShapeDisagreements result;
     compare(Box{}, rays, kernels, result);
     CHECK(result.unusual + result.different == 0);
   }
@@ -136,7 +136,7 @@ TEST_CASE("rays that pass the rim of a cylinder between side and cap are found u
   }
   REQUIRE(gaps > 0);
   for (const PacketKernels& kernels : packet_kernels()) {
-    Disagreements result;
+    ShapeDisagreements result;
     compare(Cylinder{}, rays, kernels, result);
     CHECK(result.different == 0);
     CHECK(result.unusual >= gaps * 9 / 10);  // less those of rays that were not active

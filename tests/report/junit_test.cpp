@@ -10,7 +10,7 @@
 namespace trace::test {
 namespace {
 
-constexpr const char* to_json = R"(
+constexpr const char* junit_to_json = R"(
 import json, sys
 import xml.etree.ElementTree as tree
 def shown(node):
@@ -20,7 +20,7 @@ print(json.dumps(shown(tree.fromstring(sys.stdin.buffer.read()))))
 
 // The root element: its tag, attributes ("is"), text and children ("in").
 nlohmann::json parsed(const std::string& xml) {
-  const PythonResult result = run_python(to_json, {}, xml);
+  const PythonResult result = run_python(junit_to_json, {}, xml);
   INFO(result.output);
   REQUIRE(result.status == 0);
   return nlohmann::json::parse(result.output);

@@ -1,4 +1,5 @@
 // Ray trees as deep as they get.
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_picture.hpp"
 #include "tests/support/scene_trace.hpp"
@@ -7,8 +8,6 @@ using namespace trace;
 using namespace trace::test;
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 // 32 spheres of glass one in the other, of radius 1, 31/32, ... 1/32, before a white wall.
 Scene nested_glass(const Rgb& kt, double index) {

@@ -1,4 +1,5 @@
 // Lights where the arithmetic of their distance gets hard: in the surface, next to it, beyond squares.
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 
@@ -7,10 +8,9 @@ using namespace trace::test;
 
 namespace {
 
-const Rgb kd(0.8, 0.6, 0.4);
-const double infinity = std::numeric_limits<double>::infinity();
+const Rgb surface_color(0.8, 0.6, 0.4);
 
-Traced lit(const Material& material, const Light& light) {
+Traced seen_lit(const Material& material, const Light& light) {
   Scene scene;
   add(scene, Square{}, at_origin(), material);
   scene.lights = {light};
@@ -22,8 +22,8 @@ Traced lit(const Material& material, const Light& light) {
 TEST_CASE("a point light exactly in the surface adds nothing, whatever its coefficients and the shininess") {
   const float a = GENERATE(0.0f, 1.0f, -1.0f);
   const double shininess = GENERATE(0.0, 1.0, -1.0);
-  const Traced seen = lit(emissive(Rgb(0.25)) + diffuse(kd) + specular(Rgb(1), shininess),
-                          PointLight{Rgb(1), Vec3(0), a, 0, 0});
+  const Traced seen = seen_lit(emissive(Rgb(0.25)) + diffuse(surface_color) + specular(Rgb(1), shininess),
+                               PointLight{Rgb(1), Vec3(0), a, 0, 0});
   CHECK(seen.color == Rgb(0.25));
   CHECK_FALSE(seen.undefined.any());
 }
@@ -35,7 +35,8 @@ TEST_CASE("a point light as near as numbers go is not attenuated and shines from
   CHECK(sample.towards == near(0, 1, 0, 3e-16));
   CHECK(sample.distance == Approx(distance).epsilon(1e-15));
   CHECK(sample.attenuation == 1);
-  CHECK(lit(diffuse(kd), PointLight{Rgb(1), Vec3(0, 0, distance)}).color == near(kd));
+  CHECK(seen_lit(diffuse(surface_color), PointLight{Rgb(1), Vec3(0, 0, distance)}).color ==
+        near(surface_color));
 }
 
 TEST_CASE("a point light as far as numbers go shines from its direction, with what its coefficients leave") {
@@ -71,5 +72,5 @@ TEST_CASE("a directional light without a direction reaches nothing") {
   CHECK_FALSE((DirectionalLight{Rgb(1), Vec3(infinity, nan, nan)}).sample(Vec3(0)).reaches);
   CHECK((DirectionalLight{Rgb(1), Vec3(0, 0, 1)}).sample(Vec3(0)).reaches);
   // Not even the highlight of shininess 0, which is there for every direction.
-  CHECK(lit(specular(kd, 0), DirectionalLight{Rgb(1), Vec3(0)}).color == Rgb(0));
+  CHECK(seen_lit(specular(surface_color, 0), DirectionalLight{Rgb(1), Vec3(0)}).color == Rgb(0));
 }

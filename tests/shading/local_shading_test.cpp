@@ -1,4 +1,5 @@
 // docs/language.md section 7 on a unit square in the plane z = 0 seen from the front, unless said.
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 
@@ -8,7 +9,6 @@ using namespace trace::test;
 namespace {
 
 const Rgb kd(0.8, 0.6, 0.4);
-const double pi = std::acos(-1.0);
 
 Scene square(const Material& material) {
   Scene scene;

@@ -1,13 +1,14 @@
 #include "shading/partial_rgb.hpp"
 
 #include "shading/transmittance.hpp"
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 
 using namespace trace;
+using trace::test::infinity;
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
 const double numbers[] = {0.0, -0.0, 1.0, -2.5, 5e-324, 1e308, -1e308, infinity, -infinity};
 
 // `result` in every channel against what IEEE arithmetic makes of the same numbers: NaN is undefined.

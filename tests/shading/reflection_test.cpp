@@ -1,15 +1,10 @@
 // Reflected rays of docs/language.md section 6.
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 
 using namespace trace;
 using namespace trace::test;
-
-namespace {
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
 
 TEST_CASE("a mirror shows what is in its direction, times its colour, from depth 1 on") {
   const Rgb kr(0.5, 0.25, 0.125);

@@ -7,13 +7,13 @@ using namespace trace::test;
 
 namespace {
 
-const Rgb kt(0.5, 0.25, 0.9);
+const Rgb glass_kt(0.5, 0.25, 0.9);
 
 // A white wall at z = -4, and before it `shape` twice its size, of index one.
 Scene before_wall(const Shape& shape) {
   Scene scene;
   add(scene, Square{}, moved(0, 0, -4) * scaled(20, 20, 1), emissive(Rgb(1)));
-  add(scene, shape, scaled(2), transmissive(kt));
+  add(scene, shape, scaled(2), transmissive(glass_kt));
   return scene;
 }
 
@@ -23,20 +23,20 @@ TEST_CASE("glass is coloured by kt to the power of its thickness, from depth 2 o
   const Scene scene = before_wall(Box{});
   CHECK(seen(scene, 0) == Rgb(0));
   CHECK(seen(scene, 1) == Rgb(0));  // only up to the far face, which emits nothing
-  CHECK(seen(scene, 2) == near(kt * kt));
-  CHECK(seen(scene, 3) == near(kt * kt));
+  CHECK(seen(scene, 2) == near(glass_kt * glass_kt));
+  CHECK(seen(scene, 3) == near(glass_kt * glass_kt));
   CHECK(traced(scene, from_front(), 9).rays.refracted == 2);
 }
 
 TEST_CASE("a transmissive square colours everything up to the next surface behind it") {
-  CHECK(seen(before_wall(Square{}), 1) == near(glm::pow(kt, Rgb(4))));
+  CHECK(seen(before_wall(Square{}), 1) == near(glm::pow(glass_kt, Rgb(4))));
 }
 
 TEST_CASE("what the far face of glass emits is attenuated too, and the near face keeps its own light whole") {
   // trans_emissive: 0.1 + kt^2 0.1.
   Scene scene;
-  add(scene, Box{}, scaled(2), emissive(Rgb(0.1)) + transmissive(kt));
-  CHECK(seen(scene, 3) == near(Rgb(0.1) + kt * kt * 0.1));
+  add(scene, Box{}, scaled(2), emissive(Rgb(0.1)) + transmissive(glass_kt));
+  CHECK(seen(scene, 3) == near(Rgb(0.1) + glass_kt * glass_kt * 0.1));
 }
 
 TEST_CASE("transmission above one is used as it is") {

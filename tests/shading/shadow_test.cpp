@@ -1,6 +1,7 @@
 // docs/language.md section 8: from the origin towards a light along +z, with what stands between.
 #include "shading/shadow.hpp"
 
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 
@@ -9,7 +10,6 @@ using namespace trace::test;
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
 const Rgb kt(0.5, 0.25, 0.9);
 const Material opaque{};
 

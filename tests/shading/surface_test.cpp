@@ -1,6 +1,7 @@
 // The rays that leave a surface.
 #include "shading/surface.hpp"
 
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/quad.hpp"
 #include "tests/support/scene_random.hpp"
@@ -9,8 +10,6 @@ using namespace trace;
 using namespace trace::test;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Vec3 any_direction(Random& random) {
   for (;;) {

@@ -1,5 +1,6 @@
 // Colours that are infinite or undefined: where they come from and what they spread to.
 #include "shading/shadow.hpp"
+#include "tests/support/constants.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"
 
@@ -8,7 +9,6 @@ using namespace trace::test;
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
 const double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // Faces in 0, 51, 102, ... of grey; all alike.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double most_left_over = 0.02;  // see the header
 constexpr int largest_shift = 4;
-constexpr std::size_t sample = 2048;  // pixels that a mapping is tried on before it is looked at in full
+constexpr std::size_t tried_first = 2048;  // pixels that a mapping is tried on before it is looked at in full
 
 // test(x, y) is the reference at the mapped place: mirrored, then moved by (dx, dy).
 struct Mapping {
@@ -31,7 +31,7 @@ int off_by(const Mapping& mapping, const std::uint8_t* reference, const std::uin
 
 // Whether the mapping holds for nearly all of an even choice of the pixels that differ. Stops early.
 bool promising(const PicturePair& pair, const Mapping& mapping) {
-  const std::size_t step = std::max<std::size_t>(1, pair.differing.size() / sample);
+  const std::size_t step = std::max<std::size_t>(1, pair.differing.size() / tried_first);
   const std::size_t tried = pair.differing.size() / step;
   // Twice the share that is accepted in full, as a choice of the pixels has its own scatter.
   const auto allowed = static_cast<std::size_t>(2 * most_left_over * static_cast<double>(tried)) + 1;
@@ -78,21 +78,21 @@ Residual residual(const PicturePair& pair, const Mapping& mapping) {
   return {static_cast<double>(off_after) / static_cast<double>(off_before), after / before};
 }
 
-struct Fit {
+struct BestMapping {
   Mapping mapping;
   double unexplained;
 };
 
 // The first of the best.
 template <class Mappings>
-std::optional<Fit> best(const PicturePair& pair, const Mappings& mappings) {
-  std::optional<Fit> found;
+std::optional<BestMapping> best(const PicturePair& pair, const Mappings& mappings) {
+  std::optional<BestMapping> found;
   for (const Mapping& mapping : mappings) {
     if (!promising(pair, mapping)) continue;
     const Residual left = residual(pair, mapping);
     if (left.pixels > most_left_over || left.energy > most_left_over) continue;
     const double unexplained = std::max(left.pixels, left.energy);
-    if (!found || unexplained < found->unexplained) found = Fit{mapping, unexplained};
+    if (!found || unexplained < found->unexplained) found = BestMapping{mapping, unexplained};
   }
   return found;
 }

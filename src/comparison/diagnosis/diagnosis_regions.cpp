@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t least_pixels = 9;
 // Levels by which an outline must stand out to count as an edge: shading and rounding stay below.
-constexpr int edge_height = 8;
+constexpr int faint_edge = 8;
 
 class Labels {
  public:
@@ -32,7 +32,7 @@ class Labels {
 // The kind of an edge that is so high in the reference and in the test picture: of one kind when it is at
 // least three times as high there as in the other.
 void count(EdgeCounts& counts, int in_reference, int in_test) {
-  if (std::max(in_reference, in_test) <= edge_height) {
+  if (std::max(in_reference, in_test) <= faint_edge) {
     ++counts.soft;
   } else if (in_reference > 3 * in_test) {
     ++counts.vanished;
@@ -114,7 +114,7 @@ std::vector<DifferingRegion> differing_regions(const PicturePair& pair) {
       const int in_test = distance(pair.of_test(i), pair.of_test(there));
       if (!pair.differs[there]) {
         count(region.outline, in_reference, in_test);
-      } else if (k < 2 && std::max(in_reference, in_test) > edge_height) {
+      } else if (k < 2 && std::max(in_reference, in_test) > faint_edge) {
         count(region.inside, in_reference, in_test);
       }
     }

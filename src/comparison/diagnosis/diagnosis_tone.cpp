@@ -17,8 +17,8 @@ constexpr double most_energy = 0.02;
 // Distinct levels of the reference among the samples that moved: with fewer, any curve passes through them.
 constexpr std::size_t fewest_levels = 8;
 // The better kind of curve must leave this much less than the other.
-constexpr double clearly_better = 4;
-constexpr double equal = 0.001;
+constexpr double better_curve = 4;
+constexpr double equal_curves = 0.001;
 
 struct Fit {
   double parameter = 1;
@@ -123,7 +123,7 @@ std::optional<Finding> find_tone(const PicturePair& pair) {
                           ? histogram.energy_left([&](double v) { return power(v, gamma.parameter); })
                           : histogram.energy_left([&](double v) { return v * factor.parameter; });
   if (left > most_energy) return std::nullopt;
-  if (other.unexplained <= clearly_better * best.unexplained + equal) return std::nullopt;
+  if (other.unexplained <= better_curve * best.unexplained + equal_curves) return std::nullopt;
   return best;
 }
 

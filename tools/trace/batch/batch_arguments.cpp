@@ -11,7 +11,7 @@
 namespace trace {
 namespace {
 
-constexpr const char* examples = R"(Examples:
+constexpr const char* batch_examples = R"(Examples:
   trace batch scenes -o out                                    render all scenes below scenes/
   trace batch scenes -o out --solutions sol --report out/report.html
                                                                and compare, with a page to look at
@@ -101,7 +101,7 @@ void add_results(CLI::App& app, BatchArguments& a) {
 
 std::optional<int> parse_batch_arguments(int argc, const char* const* argv, BatchArguments& arguments) {
   CLI::App app("Renders all scenes of a folder and compares them with solutions.", "trace batch");
-  app.footer(examples);
+  app.footer(batch_examples);
   app.set_help_flag("-h,--help", "Show this and exit");
   arguments.workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   arguments.command = command_line(argc, argv);

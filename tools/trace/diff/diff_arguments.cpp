@@ -11,7 +11,7 @@
 namespace trace {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* diff_examples =
     R"(Without tolerances: RMSE at most 0.5, at most 0.1 % of pixels off by more than 1 level.
 One given on the command line replaces all of these. A level is 1/255 of full scale.
 
@@ -70,7 +70,7 @@ ParsedDiff parse_diff(int argc, const char* const* argv) {
   ToleranceOptions limits;
   std::string metrics = "all";
   CLI::App app("Compares pictures with a reference and says how and where they differ.", "trace diff");
-  app.footer(examples);
+  app.footer(diff_examples);
   app.set_help_flag("-h,--help", "Show this and exit");
   app.add_option("A", arguments.reference, "The reference: a picture or a folder of them")->required();
   app.add_option("B", arguments.test, "What is compared with it")->required();
