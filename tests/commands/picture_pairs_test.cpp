@@ -26,7 +26,7 @@ struct PairFolders {
   // "name: file in A - file in B"
   std::vector<std::string> pairs() const {
     std::vector<std::string> result;
-    for (const PicturePair& pair : pair_pictures(folder / "A", folder / "B").pairs) {
+    for (const FilePair& pair : pair_pictures(folder / "A", folder / "B").pairs) {
       const auto file = [](const std::optional<fs::path>& path) {
         return path ? path->filename().string() : std::string("none");
       };

@@ -16,13 +16,13 @@ std::optional<std::string> text(const std::optional<fs::path>& path) {
   return path ? std::optional(path->string()) : std::nullopt;
 }
 
-fs::path heat_map_of(const PicturePair& pair, const DiffArguments& arguments, bool folders) {
+fs::path heat_map_of(const FilePair& pair, const DiffArguments& arguments, bool folders) {
   if (arguments.heat_map.empty() || !folders) return arguments.heat_map;
   return fs::path(arguments.heat_map) / (pair.name + ".heat.png");
 }
 
 // A pair without one of its pictures.
-Judgement alone(const PicturePair& pair, const DiffArguments& arguments, const Tolerance& tolerance) {
+Judgement alone(const FilePair& pair, const DiffArguments& arguments, const Tolerance& tolerance) {
   Judgement judgement;
   judgement.tolerance = tolerance;
   judgement.verdict = pair.reference ? Verdict::missing : Verdict::extra;
@@ -39,7 +39,7 @@ void remove_old(const fs::path& heat_map) {
   if (!heat_map.empty() && fs::is_regular_file(heat_map, ignored)) fs::remove(heat_map, ignored);
 }
 
-Judgement judged(const PicturePair& pair, const DiffArguments& arguments, bool folders,
+Judgement judged(const FilePair& pair, const DiffArguments& arguments, bool folders,
                  const Tolerance& tolerance, unsigned threads, std::string& failure) {
   const fs::path heat_map = heat_map_of(pair, arguments, folders);
   remove_old(heat_map);
@@ -74,7 +74,7 @@ void check_heat_map(const DiffArguments& arguments, bool folders) {
 
 }  // namespace
 
-std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, const DiffArguments& arguments,
+std::vector<ComparedPair> compare_pairs(const std::vector<FilePair>& pairs, const DiffArguments& arguments,
                                         bool folders, const Tolerances& tolerances,
                                         std::vector<std::string>& failures) {
   check_heat_map(arguments, folders);
@@ -83,7 +83,7 @@ std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, c
   // One pair is divided between threads, several are given one each.
   const unsigned threads = pairs.size() == 1 ? JudgeOptions{}.threads : 1;
   const auto compare = [&](std::size_t i, int) {
-    const PicturePair& pair = pairs[i];
+    const FilePair& pair = pairs[i];
     ComparedPair& result = results[i];
     result = {pair.name, text(pair.reference), text(pair.test),
               judged(pair, arguments, folders, tolerances.of(pair.scene), threads, failure[i])};

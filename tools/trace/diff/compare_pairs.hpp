@@ -15,7 +15,7 @@ namespace trace {
 // of folders to NAME.heat.png in the folder of heat maps, with the same layout. Where there is nothing to
 // show, a heat map left there by an earlier run is removed. What cannot be written is told in `failures`,
 // whole sentences; throws ImageError where no heat map could be written at all.
-std::vector<ComparedPair> compare_pairs(const std::vector<PicturePair>& pairs, const DiffArguments& arguments,
+std::vector<ComparedPair> compare_pairs(const std::vector<FilePair>& pairs, const DiffArguments& arguments,
                                         bool folders, const Tolerances& tolerances,
                                         std::vector<std::string>& failures);
 

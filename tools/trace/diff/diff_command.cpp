@@ -66,7 +66,7 @@ std::string scene_of(const std::string& picture, const std::string& tolerances) 
 struct Comparison {
   DiffArguments arguments;
   bool folders = false;
-  std::vector<PicturePair> pairs;
+  std::vector<FilePair> pairs;
   DiffReport report;
   std::string notes;    // for people, behind the result
   bool unread = false;  // some folder could not be read, which has been said
@@ -114,7 +114,7 @@ std::string human_text(const Comparison& comparison) {
 int compare(Comparison& comparison) {
   const DiffArguments& arguments = comparison.arguments;
   std::vector<std::string_view> scenes;
-  for (const PicturePair& pair : comparison.pairs) scenes.push_back(pair.scene);
+  for (const FilePair& pair : comparison.pairs) scenes.push_back(pair.scene);
   const Tolerances tolerances({arguments.tolerance, arguments.tolerances,
                                comparison.folders ? arguments.reference : "", arguments.update},
                               scenes);

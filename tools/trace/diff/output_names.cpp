@@ -42,12 +42,12 @@ std::vector<Output> outputs_of(const DiffArguments& arguments) {
   return outputs;
 }
 
-std::string replaces_input(const Output& output, const std::vector<PicturePair>& pairs,
+std::string replaces_input(const Output& output, const std::vector<FilePair>& pairs,
                            const fs::path& tolerances) {
   const auto text = [&](std::string_view purpose) {
     return fmt::format("{} would replace '{}', which {}", output.what, output.file.string(), purpose);
   };
-  for (const PicturePair& pair : pairs)
+  for (const FilePair& pair : pairs)
     for (const auto& picture : {pair.reference, pair.test})
       if (picture && is_same(output, *picture)) return text("is to be compared");
   return !tolerances.empty() && is_same(output, tolerances) ? text("holds the tolerances") : "";
@@ -56,7 +56,7 @@ std::string replaces_input(const Output& output, const std::vector<PicturePair>&
 }  // namespace
 
 std::string output_conflict(const DiffArguments& arguments, bool folders,
-                            const std::vector<PicturePair>& pairs) {
+                            const std::vector<FilePair>& pairs) {
   fs::path tolerances = arguments.tolerances;
   if (tolerances.empty() && folders) tolerances = fs::path(arguments.reference) / "tolerances.json";
   const std::vector<Output> outputs = outputs_of(arguments);

@@ -102,13 +102,13 @@ class Collection {
   std::vector<UnreadableFolder> unreadable_;
 };
 
-PicturePair matched(const Found& reference, const Found& test) {
+FilePair matched(const Found& reference, const Found& test) {
   return {"", "", reference.file, test.file, ""};
 }
 
 // Takes those of the same extension out of both sides.
-std::vector<PicturePair> take_equal_extensions(Candidates& candidates) {
-  std::vector<PicturePair> pairs;
+std::vector<FilePair> take_equal_extensions(Candidates& candidates) {
+  std::vector<FilePair> pairs;
   std::erase_if(candidates.reference, [&](const Found& reference) {
     const auto same = std::ranges::find(candidates.test, reference.extension, &Found::extension);
     if (same == candidates.test.end()) return false;
@@ -125,10 +125,10 @@ std::string ambiguity(const std::vector<Found>& others) {
                      others[1].file.filename().string());
 }
 
-std::vector<PicturePair> pairs_of(Candidates candidates) {
+std::vector<FilePair> pairs_of(Candidates candidates) {
   std::ranges::sort(candidates.reference, {}, &Found::extension);
   std::ranges::sort(candidates.test, {}, &Found::extension);
-  std::vector<PicturePair> pairs = take_equal_extensions(candidates);
+  std::vector<FilePair> pairs = take_equal_extensions(candidates);
   const auto& [references, tests] = candidates;
   if (references.size() == 1 && tests.size() == 1) {
     pairs.push_back(matched(references[0], tests[0]));
@@ -148,8 +148,8 @@ FolderPairs pair_pictures(const fs::path& reference, const fs::path& test) {
   FolderPairs result{{}, references.unreadable()};
   result.unreadable.insert(result.unreadable.end(), tests.unreadable().begin(), tests.unreadable().end());
   for (auto& [name, candidates] : all) {
-    std::vector<PicturePair> pairs = pairs_of(std::move(candidates));
-    for (PicturePair& pair : pairs) {
+    std::vector<FilePair> pairs = pairs_of(std::move(candidates));
+    for (FilePair& pair : pairs) {
       pair.scene = pair.name = name;
       if (pairs.size() > 1) pair.name += (pair.reference ? *pair.reference : *pair.test).extension().string();
       if (pair.note.empty() && !(pair.reference && pair.test))

@@ -17,7 +17,7 @@
 
 namespace trace {
 
-struct PicturePair {
+struct FilePair {
   std::string name;   // "simple/box"; with its extension where another picture has that name
   std::string scene;  // "simple/box" in any case: what tolerances are given for
   std::optional<std::filesystem::path> reference, test;  // empty where there is no such file
@@ -31,7 +31,7 @@ struct UnreadableFolder {
 };
 
 struct FolderPairs {
-  std::vector<PicturePair> pairs;            // in the order of their names
+  std::vector<FilePair> pairs;               // in the order of their names
   std::vector<UnreadableFolder> unreadable;  // those of the reference first
 };
 
