@@ -10,7 +10,7 @@ namespace trace {
 namespace {
 
 // Above so many items the children of a node, and the splits between them, are done side by side.
-constexpr std::uint32_t parallel_node = 4096;
+constexpr std::uint32_t parallel_range = 4096;
 constexpr std::size_t parallel_nodes = 4096;  // above, nodes are moved side by side
 constexpr std::size_t order_a_run = 1 << 17;
 
@@ -82,7 +82,7 @@ class Builder {
  private:
   // Of more items than a leaf holds.
   void subtree(const BvhRange& range, Part& part) const {
-    if (range.size() > parallel_node) return large(range, part);
+    if (range.size() > parallel_range) return large(range, part);
     part.nodes.reserve(range.size() / 16 + 1);
     part.nodes.emplace_back();
     small(range, part.nodes, 0);
@@ -98,7 +98,7 @@ class Builder {
     Children right;
     const auto open_left = [&] { open(halves.left, levels - 1, children); };
     const auto open_right = [&] { open(halves.right, levels - 1, right); };
-    if (range.size() > 2 * parallel_node) {
+    if (range.size() > 2 * parallel_range) {
       threads_.both(open_left, open_right);
     } else {
       open_left();
