@@ -111,6 +111,10 @@ class FilterRays {
     return hn::Add(floats_of(limit * (1 + 0x1p-19)), hn::Set(FloatTag(), 0x1p-19f * reach_));
   }
 
+  HWY_INLINE void foresee(std::uint32_t first, std::uint32_t count) const {
+    fetch_ahead(values_ + TriangleFilter::floats * first, TriangleFilter::floats * count * sizeof(float));
+  }
+
   // Which rays may hit the triangle at `place` of the leaf of `count` that begins with item `first`.
   HWY_INLINE unsigned keep(std::uint32_t first, std::uint32_t count, std::uint32_t place,
                            const Floats& furthest) const {
@@ -145,6 +149,7 @@ class ClosestFaces {
     face = 0.0;
   }
 
+  HWY_INLINE void foresee(std::uint32_t first, std::uint32_t count) const { filter_.foresee(first, count); }
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     Mask changed = no_lanes();
     const Floats furthest = filter_.furthest(limits());
@@ -214,6 +219,7 @@ class AnyFaces {
         found(no_lanes()),
         unusual(no_lanes()) {}
 
+  HWY_INLINE void foresee(std::uint32_t first, std::uint32_t count) const { filter_.foresee(first, count); }
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     const Mask before = going_;
     for (std::uint32_t place = 0; place < count; ++place) {

@@ -86,6 +86,7 @@ class ClosestObjects {
     unusual = no_lanes();
   }
 
+  HWY_INLINE void foresee(std::uint32_t, std::uint32_t) const {}  // what an object needs lies in many places
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     Mask changed = no_lanes();
     for (std::uint32_t i = first; i < first + count; ++i) {
@@ -148,6 +149,7 @@ class AnyObjects {
         found(no_lanes()),
         unusual(no_lanes()) {}
 
+  HWY_INLINE void foresee(std::uint32_t, std::uint32_t) const {}  // what an object needs lies in many places
   HWY_INLINE bool visit(std::uint32_t first, std::uint32_t count, unsigned touching) {
     const Mask before = going_;
     for (std::uint32_t i = first; i < first + count; ++i) {
