@@ -36,7 +36,7 @@ def _row(group, line, ours, others, judged):
     if row.ours is None:
         row.note = "not in this build"
         return row
-    if row.anchor is None and (group.missing or group.anchor):
+    if row.anchor is None and row.goal and (group.missing or group.anchor):
         row.note = f"no anchor: {group.missing}" if group.missing else "no anchor"
     if not judged:
         return row
