@@ -59,8 +59,7 @@ void MeshTree::sort_faces(ThreadBudget& threads) {
           const std::uint32_t face = bvh_.order[first + place];
           const FaceCorners& f = mesh_->faces[face];
           faces_[first + place] = {f, face};
-          filter_.set(first, count, place,
-                      Triangle({mesh_->points[f[0]], mesh_->points[f[1]], mesh_->points[f[2]]}), bvh_.centre);
+          filter_.set(first, count, place, Triangle(mesh_->corners(f)), bvh_.centre);
         }
       }
     }

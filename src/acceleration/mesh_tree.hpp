@@ -41,10 +41,7 @@ class MeshTree {
   std::span<const LeafFace> faces() const { return faces_; }
   const TriangleFilter& filter() const { return filter_; }
   Triangle triangle(std::uint32_t place) const { return Triangle(corners(place)); }
-  Corners corners(std::uint32_t place) const {
-    const FaceCorners& f = faces_[place].corners;
-    return {mesh_->points[f[0]], mesh_->points[f[1]], mesh_->points[f[2]]};
-  }
+  Corners corners(std::uint32_t place) const { return mesh_->corners(faces_[place].corners); }
 
   const Vec3& centre() const { return bvh_.centre; }
   double radius() const { return radius_; }

@@ -4,11 +4,6 @@
 
 namespace trace {
 
-Corners Mesh::corners(std::uint32_t face) const {
-  const FaceCorners& f = faces[face];
-  return {points[f[0]], points[f[1]], points[f[2]]};
-}
-
 double Mesh::distance(std::uint32_t face, const Vec3& p) const {
   const Corners at = corners(face);
   const Vec3 ab = at.b - at.a, ac = at.c - at.a, from_a = p - at.a;

@@ -20,7 +20,8 @@ struct Mesh {
   std::vector<FaceCorners> faces;
 
   bool smooth() const { return !normals.empty(); }
-  Corners corners(std::uint32_t face) const;
+  Corners corners(const FaceCorners& f) const { return {points[f[0]], points[f[1]], points[f[2]]}; }
+  Corners corners(std::uint32_t face) const { return corners(faces[face]); }
   Triangle triangle(std::uint32_t face) const { return Triangle(corners(face)); }
   Bounds bounds() const;  // of all points, used by a face or not
 

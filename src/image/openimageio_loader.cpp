@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "image/program_places.hpp"
+
 namespace trace {
 namespace {
 
@@ -11,11 +13,7 @@ constexpr const char* package_name = TRACE_OPENIMAGEIO_PACKAGE;
 }  // namespace
 
 ModulePlaces openimageio_places() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return {};
-  const std::filesystem::path directory = program.parent_path();
-  return {directory / module_name, directory.parent_path() / "lib" / "trace" / module_name};
+  return places_beside_program(module_name);
 }
 
 SharedObject load_openimageio(std::string_view task, const ModulePlaces& places) {

@@ -8,12 +8,11 @@
 #include <system_error>
 #include <vector>
 
+#include "image/program_places.hpp"
+
 namespace trace {
 
 void start_over_dynamically() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return;
   // As the kernel keeps them: each argument with a zero behind it.
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::string arguments{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -22,9 +21,8 @@ void start_over_dynamically() {
   for (std::size_t at = 0; at < arguments.size(); at = arguments.find('\0', at) + 1)
     pointers.push_back(&arguments[at]);
   pointers.push_back(nullptr);
-  const std::filesystem::path directory = program.parent_path();
-  for (const std::filesystem::path& place : {directory, directory.parent_path() / "lib" / "trace"})
-    execv((place / dynamic_program_name).c_str(), pointers.data());
+  for (const std::filesystem::path& place : places_beside_program(dynamic_program_name))
+    execv(place.c_str(), pointers.data());
 }
 
 bool can_be_read_again(std::initializer_list<std::string_view> files) {
