@@ -1,7 +1,7 @@
 // Adaptive antialiasing as the course's settings mean it.
 #pragma once
 
-#include "image/image.hpp"
+#include "rendering/film.hpp"
 #include "rendering/frame_renderer.hpp"
 
 namespace trace {
@@ -10,6 +10,6 @@ namespace trace {
 // further apart than the threshold, then replaces each marked pixel by the mean of n x n samples. The sample
 // at the pixel's corner is taken from the picture as it is. A channel that is undefined in any other sample
 // is black.
-void antialias(FrameRenderer& frame, Image& image);
+void antialias(FrameRenderer& frame, Film& film);
 
 }  // namespace trace

@@ -2,18 +2,16 @@
 
 #include <optional>
 
-#include "rendering/pixel.hpp"
-
 namespace trace {
 namespace {
 
 class Block {
  public:
-  Block(FrameRenderer& frame, const FrameRenderer::Sampler& sampler, Image& image, double threshold, int x0,
+  Block(FrameRenderer& frame, const FrameRenderer::Sampler& sampler, Film& film, double threshold, int x0,
         int y0, int x1, int y1)
       : frame_(frame),
         sampler_(sampler),
-        image_(image),
+        film_(film),
         threshold_(threshold),
         x0_(x0),
         y0_(y0),
@@ -65,9 +63,9 @@ class Block {
       for (int i = x0; i <= x1; ++i) {
         const double s = x1 > x0 ? (i - x0) / static_cast<double>(x1 - x0) : 0;
         if ((i == x0 || i == x1) && (j == y0 || j == y1)) {
-          set_pixel(image_, i, j, color(i, j).value);
+          film_.set(i, j, color(i, j).value);
         } else {
-          set_pixel(image_, i, j,
+          film_.set(i, j,
                     c[0].value * (1 - s) * (1 - t) + c[1].value * s * (1 - t) + c[2].value * (1 - s) * t +
                         c[3].value * s * t);
         }
@@ -77,7 +75,7 @@ class Block {
 
   FrameRenderer& frame_;
   const FrameRenderer::Sampler& sampler_;
-  Image& image_;
+  Film& film_;
   double threshold_;
   int x0_, y0_, columns_;
   std::vector<std::optional<PartialRgb>> traced_;
@@ -85,11 +83,11 @@ class Block {
 
 }  // namespace
 
-void render_blocks(FrameRenderer& frame, Image& image) {
+void render_blocks(FrameRenderer& frame, Film& film) {
   const BlockInterpolation& blocks = frame.options().blocks;
   frame.for_each_tile(
       blocks.size, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
-        Block(frame, sampler, image, blocks.threshold * 0.001, x0, y0, x1, y1).fill(x0, y0, x1 - 1, y1 - 1);
+        Block(frame, sampler, film, blocks.threshold * 0.001, x0, y0, x1, y1).fill(x0, y0, x1 - 1, y1 - 1);
       });
 }
 

@@ -65,10 +65,14 @@ class FrameRenderer {
   int width() const { return options_.width; }
   int height() const { return height_; }
 
-  // Calls body(sampler, x0, y0, x1, y1) for every tile of the picture, half-open, on all threads; tiles begin
-  // at multiples of `edge`.
+  // Calls body(sampler, x0, y0, x1, y1) for every tile of the picture, or of a grid of other size, half-open,
+  // on all threads; tiles begin at multiples of `edge`.
   template <class Body>
-  void for_each_tile(int edge, Body&& body);
+  void for_each_tile(int edge, Body&& body) {
+    for_each_tile(width(), height(), edge, body);
+  }
+  template <class Body>
+  void for_each_tile(int width, int height, int edge, Body&& body);
 
   // Whoever has traced a sample of a pixel shows it to this.
   NonFiniteMap& non_finite() { return non_finite_; }
@@ -95,8 +99,8 @@ class FrameRenderer {
 };
 
 template <class Body>
-void FrameRenderer::for_each_tile(int edge, Body&& body) {
-  const int columns = (width() + edge - 1) / edge, rows = (height_ + edge - 1) / edge;
+void FrameRenderer::for_each_tile(int width, int height, int edge, Body&& body) {
+  const int columns = (width + edge - 1) / edge, rows = (height + edge - 1) / edge;
   const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   const auto sampler_of = [&](int thread) {
     return Sampler(*this, counts_[static_cast<std::size_t>(thread)].rays);
@@ -105,10 +109,23 @@ void FrameRenderer::for_each_tile(int edge, Body&& body) {
   parallel_for_with(threads, tiles, sampler_of, [&](std::size_t tile, const Sampler& sampler) {
     const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * edge;
     const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * edge;
-    const int x1 = std::min(x0 + edge, width()), y1 = std::min(y0 + edge, height_);
+    const int x1 = std::min(x0 + edge, width), y1 = std::min(y0 + edge, height);
     body(sampler, x0, y0, x1, y1);
     progress_.done += static_cast<std::uint64_t>(x1 - x0) * static_cast<std::uint64_t>(y1 - y0);
   });
+}
+
+// Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by four, whose halves
+// are compact too.
+template <class Visit>
+void for_each_in_blocks(int x0, int y0, int x1, int y1, Visit&& visit) {
+  for (int top = y0; top < y1; top += 4) {
+    for (int left = x0; left < x1; left += 4) {
+      for (int j = top; j < std::min(top + 4, y1); ++j) {
+        for (int i = left; i < std::min(left + 4, x1); ++i) visit(i, j);
+      }
+    }
+  }
 }
 
 }  // namespace trace

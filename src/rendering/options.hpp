@@ -19,6 +19,14 @@ struct BlockInterpolation {
   int size = 4;          // edge of a block in pixels
 };
 
+// Samples in every pixel, which is the rectangle from the corner where the course samples it to that of the
+// next: ours, instead of the course's antialiasing and blocks.
+struct Sampling {
+  int grid = 1;          // n x n; 1: the course's one sample, at the corner
+  double threshold = 0;  // above 0: adaptive, to an error of about so many levels in a pixel on an edge
+  int most = 8;          // n x n at most where adaptive
+};
+
 struct RenderOptions {
   int width = 512;
   int depth = 5;
@@ -27,10 +35,14 @@ struct RenderOptions {
   ShadingOptions shading;
   Antialiasing antialiasing;
   BlockInterpolation blocks;
+  Sampling sampling;
+  bool keep_colors = false;  // the result holds the colours before they are cut to bytes too
 };
 
 inline constexpr int max_width = max_side;
 inline constexpr int max_supersamples = 64;
 inline constexpr int max_block_size = 4096;
+inline constexpr int max_grid = 64;
+inline constexpr double least_threshold = 0.01;  // levels, of Sampling
 
 }  // namespace trace

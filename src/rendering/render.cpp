@@ -3,34 +3,23 @@
 #include <algorithm>
 #include <array>
 
+#include "rendering/adaptive.hpp"
 #include "rendering/antialias.hpp"
 #include "rendering/blocks.hpp"
-#include "rendering/pixel.hpp"
+#include "rendering/uniform.hpp"
 
 namespace trace {
 namespace {
 
 constexpr int tile_edge = 16;
 
-// Calls visit(i, j) for the pixels of a tile in the order of packets: blocks of four by four, whose halves
-// are compact too.
-template <class Visit>
-void for_each_in_blocks(int x0, int y0, int x1, int y1, Visit&& visit) {
-  for (int top = y0; top < y1; top += 4) {
-    for (int left = x0; left < x1; left += 4) {
-      for (int j = top; j < std::min(top + 4, y1); ++j) {
-        for (int i = left; i < std::min(left + 4, x1); ++i) visit(i, j);
-      }
-    }
-  }
-}
-
 // In one loop, which the compiler makes vectors of.
 void to_bytes(const double* channel, std::size_t count, std::uint8_t* bytes) {
   for (std::size_t k = 0; k < count; ++k) bytes[k] = to_byte(clamped(channel[k]));
 }
 
-void render_pixels(FrameRenderer& frame, Image& image) {
+// One sample a pixel, at its corner.
+void render_pixels(FrameRenderer& frame, Film& film) {
   static_assert(tile_edge * tile_edge <= SampleBatch::capacity);
   frame.for_each_tile(tile_edge, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     SampleBatch batch;
@@ -51,12 +40,13 @@ void render_pixels(FrameRenderer& frame, Image& image) {
       if (batch.left_out[k]) {
         const PartialRgb color = sampler.pixel(i, j);
         frame.non_finite().watch(i, j, color);
-        set_pixel(image, i, j, color.value);
+        film.set(i, j, color.value);
       } else {
-        std::uint8_t* p = pixel(image, i, j);
+        std::uint8_t* p = pixel(film.image(), i, j);
         p[0] = red[k];
         p[1] = green[k];
         p[2] = blue[k];
+        if (film.keeps_colors()) film.colors().set(i, frame.height() - 1 - j, clamped(batch.color(k)));
       }
       ++k;
     });
@@ -71,24 +61,26 @@ double picture_height(const Scene& scene, int width) {
 
 Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& options, Progress& progress) {
   const int height = static_cast<int>(picture_height(scene, options.width));
-  Rendered result;
-  result.image.width = options.width;
-  result.image.height = height;
-  result.image.rgb.resize(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(height) * 3);
-
+  Film film(options.width, height, options.keep_colors);
   const auto pixels = static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(height);
   const bool refine = options.antialiasing.enabled && options.antialiasing.supersamples > 1;
   progress.total = refine ? 2 * pixels : pixels;
   FrameRenderer frame(scene, tree, options, height, threads_or_all(options.threads), progress);
-  if (options.blocks.threshold > 0) {
-    render_blocks(frame, result.image);
+  const Sampling& sampling = options.sampling;
+  if (sampling.threshold > 0) {
+    progress.total = 3 * pixels;
+    render_adaptive(frame, film, grids_for_threshold(sampling.threshold, sampling.most));
+  } else if (sampling.grid > 1) {
+    render_uniform(frame, film, sampling.grid);
   } else {
-    render_pixels(frame, result.image);
+    if (options.blocks.threshold > 0) {
+      render_blocks(frame, film);
+    } else {
+      render_pixels(frame, film);
+    }
+    if (refine) antialias(frame, film);
   }
-  if (refine) antialias(frame, result.image);
-  result.rays = frame.counts();
-  result.non_finite = frame.non_finite().found();
-  return result;
+  return {std::move(film.image()), std::move(film.colors()), frame.counts(), frame.non_finite().found()};
 }
 
 }  // namespace trace

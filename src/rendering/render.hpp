@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.hpp"
+#include "rendering/color_image.hpp"
 #include "rendering/non_finite.hpp"
 #include "rendering/options.hpp"
 #include "rendering/progress.hpp"
@@ -10,6 +11,7 @@ namespace trace {
 
 struct Rendered {
   Image image;
+  ColorImage colors;  // where options.keep_colors; what the image's bytes were cut from
   RayCounts rays;
   NonFinitePixels non_finite;
 };

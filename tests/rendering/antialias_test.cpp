@@ -38,10 +38,11 @@ std::vector<int> changed(std::uint8_t background, int i, int j, const std::array
   options.width = 3;
   Progress progress;
   FrameRenderer frame(scene, tree, options, 3, 2, progress);
-  Image image{3, 3, std::vector<std::uint8_t>(27, background)};
-  std::copy(odd.begin(), odd.end(), pixel(image, i, j));
-  const Image before = image;
-  antialias(frame, image);
+  Image before{3, 3, std::vector<std::uint8_t>(27, background)};
+  std::copy(odd.begin(), odd.end(), pixel(before, i, j));
+  Film film(before, false);
+  antialias(frame, film);
+  const Image& image = film.image();
   std::vector<int> result;
   for (int p = 0; p < 9; ++p) {
     if (!std::equal(pixel(image, p % 3, p / 3), pixel(image, p % 3, p / 3) + 3,

@@ -11,6 +11,7 @@
 #include "loading/scene_loader.hpp"
 #include "loading/settings_file.hpp"
 #include "parallel/parallel.hpp"
+#include "rendering/budget.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/render/progress_line.hpp"
 #include "tools/trace/render/statistics.hpp"
@@ -43,6 +44,7 @@ Exit status: 0 done, 1 the scene or a file it needs is wrong, 2 usage, 3 cannot 
 struct Arguments {
   std::string scene, output, settings, cube_map;
   RenderOptions options;
+  Budget budget;
   bool stats = false, quiet = false;
   bool depth_given = false, width_given = false, threads_given = false;
 };
@@ -77,6 +79,22 @@ bool apply_settings(Arguments& arguments) {
   note(arguments.width_given, flags.width, arguments.options.width, "size", "-w");
   note(arguments.threads_given, flags.threads, arguments.options.threads, "threads", "-t");
   return true;
+}
+
+// "error 0.62 levels as predicted (1 asked for): depth 5, 1.8 samples a pixel; 0.034 s".
+std::string budget_text(const Budget& budget, const BudgetOutcome& outcome, double seconds) {
+  const std::string asked = budget.error > 0 ? fmt::format("{:g} levels asked for", budget.error)
+                                             : fmt::format("{:g} s asked for", budget.seconds);
+  const bool met = outcome.met && (budget.error > 0 || seconds <= budget.seconds);
+  return fmt::format("error {:.2g} levels as predicted ({}{}): depth {}, {:.2f} samples a pixel; {:.3f} s",
+                     outcome.error(), asked, met ? "" : ", not met", outcome.depth, outcome.samples_per_pixel,
+                     seconds);
+}
+
+// What writing the picture is expected to take: some 25 ns a pixel for PNG (docs/results/speed.md), and the
+// file.
+double seconds_to_write(const Scene& scene, const RenderOptions& options) {
+  return 0.001 + 25e-9 * options.width * picture_height(scene, options.width);
 }
 
 void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene) {
@@ -114,9 +132,19 @@ int run(Arguments& arguments) {
 
   Progress progress;
   Rendered rendered;
+  std::optional<BudgetOutcome> outcome;
   {
     const ProgressLine line(progress, !arguments.quiet);
-    rendered = render(scene, tree, arguments.options, progress);
+    if (arguments.budget.asked()) {
+      Budget budget = arguments.budget;
+      if (budget.seconds > 0)
+        budget.seconds -= statistics.seconds() + seconds_to_write(scene, arguments.options);
+      WithinBudget within = render_within(budget, scene, tree, arguments.options, progress);
+      rendered = std::move(within.rendered);
+      outcome = within.outcome;
+    } else {
+      rendered = render(scene, tree, arguments.options, progress);
+    }
   }
   statistics.lap(Stage::render);
 
@@ -131,6 +159,7 @@ int run(Arguments& arguments) {
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene == "-" ? "<stdin>" : arguments.scene,
                to_text(rendered.non_finite));
   }
+  if (outcome) say(arguments, budget_text(arguments.budget, *outcome, statistics.seconds()));
   if (arguments.stats)
     fmt::print(stderr, "{}",
                statistics.report(scene, tree, arguments.options.instruction_set, loaded.times, rendered));
@@ -162,6 +191,25 @@ int render_command(int argc, const char* const* argv) {
   auto* threads = app.add_option("-t,--threads", options.threads, "Threads (default: one a processor)")
                       ->check(CLI::Range(1, 1024))
                       ->type_name("N");
+  Sampling& sampling = options.sampling;
+  auto* aa = app.add_option("--aa", sampling.grid, "N x N samples in every pixel")
+                 ->check(CLI::Range(1, max_grid))
+                 ->type_name("N");
+  auto* adaptive = app.add_option("--adaptive", sampling.threshold,
+                                  "Samples where they count, to an error of some so many levels in a pixel")
+                       ->check(CLI::Range(least_threshold, 255.0))
+                       ->type_name("LEVELS");
+  auto* error = app.add_option("--error-budget", arguments.budget.error,
+                               "The fastest setting predicted to be off by at most so many levels (RMSE)")
+                    ->check(CLI::Range(least_error, 255.0))
+                    ->type_name("LEVELS");
+  auto* time = app.add_option("--time-budget", arguments.budget.seconds,
+                              "The best picture predicted to take at most so long")
+                   ->check(CLI::Range(1e-3, 1e6))
+                   ->type_name("SECONDS");
+  aa->excludes(adaptive, error, time);
+  adaptive->excludes(error, time);
+  error->excludes(time);
   std::string instruction_set;
   app.add_option("--instruction-set", instruction_set,
                  "baseline, sse4, avx2 or avx512 (default: the best there is; pictures are the same)")
@@ -185,6 +233,7 @@ int render_command(int argc, const char* const* argv) {
   arguments.depth_given = depth->count() > 0;
   arguments.width_given = width->count() > 0;
   arguments.threads_given = threads->count() > 0;
+  arguments.budget.fixed_depth = arguments.depth_given;
   if (options.depth < 0) options.depth = 0;
   if (const auto set = instruction_set_named(instruction_set)) options.instruction_set = *set;
   return run(arguments);

@@ -18,13 +18,16 @@ class Statistics {
   // Ends a stage: the time since the last call, or since construction, is that stage's.
   void lap(Stage stage);
 
+  // Since construction.
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
   // `load` are the parts of Stage::load.
   std::string report(const Scene& scene, const SceneTree& tree, InstructionSet set, const LoadTimes& load,
                      const Rendered& rendered) const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point last_ = Clock::now();
+  Clock::time_point begin_ = Clock::now(), last_ = begin_;
   std::array<double, 5> milliseconds_{};
 };
 

@@ -1,0 +1,73 @@
+#include "rendering/depth_pilot.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "rendering/frame_renderer.hpp"
+#include "rendering/pilot_places.hpp"
+#include "rendering/sample_sums.hpp"
+
+namespace trace {
+namespace {
+
+constexpr std::size_t most_pixels = 4096;
+
+// RMSE in levels.
+double difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += glm::dot(a[k] - b[k], a[k] - b[k]);
+  return 255 * std::sqrt(sum / (3 * static_cast<double>(a.size())));
+}
+
+}  // namespace
+
+DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
+                       int deepest, double enough, std::uint64_t most_rays) {
+  const auto width = static_cast<std::size_t>(options.width);
+  const std::size_t total = width * static_cast<std::size_t>(height), count = std::min(total, most_pixels);
+  std::vector<std::vector<Rgb>> colors;
+  DepthPilot result;
+  std::uint64_t rays_before = 0;
+  for (std::size_t rung = 0; rung < std::size(pilot_depths) && result.steps.size() == rung; ++rung) {
+    RenderOptions at_depth = options;
+    at_depth.depth = std::min(pilot_depths[rung], deepest);
+    const auto begin = std::chrono::steady_clock::now();
+    Progress progress;
+    FrameRenderer frame(scene, tree, at_depth, height, threads_or_all(options.threads), progress);
+    std::vector<Rgb> seen(count);
+    frame.for_each_tile(
+        static_cast<int>(count), 1, 64,
+        [&](const FrameRenderer::Sampler& sampler, int first, int, int last, int) {
+          SampleSums sums(frame, sampler);
+          for (int k = first; k < last; ++k) {
+            const std::size_t place = pilot_place(static_cast<std::size_t>(k), count, total);
+            const int i = static_cast<int>(place % width), j = static_cast<int>(place / width);
+            sums.begin(i, j);
+            sums.add_grid(i, j, 1);
+          }
+          int k = first;
+          sums.finish([&](int, int, const Rgb& mean) { seen[static_cast<std::size_t>(k++)] = mean; });
+        });
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    const std::uint64_t rays = frame.counts().total();
+    const auto samples = static_cast<double>(count);
+    result.steps.push_back({at_depth.depth, 0, static_cast<double>(rays) / samples, spent.count() / samples});
+    colors.push_back(std::move(seen));
+    if (rung > 0) result.left = difference(colors[rung], colors[rung - 1]);
+    if (rung > 0 && rays == rays_before) {
+      result.left = 0;
+      break;
+    }
+    rays_before = rays;
+    // Two steps in a row, for mirrors that face each other may show something new only every other time.
+    const bool settled =
+        rung > 1 && result.left < enough && difference(colors[rung - 1], colors[rung - 2]) < enough;
+    if (settled || rays > most_rays || at_depth.depth == deepest) break;
+  }
+  for (std::size_t rung = 0; rung < colors.size(); ++rung) {
+    result.steps[rung].error = difference(colors[rung], colors.back());
+  }
+  return result;
+}
+
+}  // namespace trace

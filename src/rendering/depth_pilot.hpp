@@ -1,0 +1,33 @@
+// What the picture loses when ray trees end early, found at a few thousand of its pixels.
+#pragma once
+
+#include <vector>
+
+#include "rendering/options.hpp"
+#include "rendering/progress.hpp"
+
+namespace trace {
+
+struct DepthStep {
+  int depth;
+  double error;               // RMSE in levels against the deepest step
+  double rays_per_sample;     // of all kinds
+  double seconds_per_sample;  // as it was measured, on all threads
+};
+
+struct DepthPilot {
+  std::vector<DepthStep> steps;  // depths ascending
+  // RMSE in levels that the deepest may still be off: what the last step changed. 0 where no ray was left to
+  // go deeper.
+  double left = 0;
+};
+
+// The depths that are tried: each, then at ratios of about 1.3.
+inline constexpr int pilot_depths[] = {0, 1, 2, 3, 4, 5, 6, 8, 10, 13, 16, 20, 25, 32, 40, 50, 64};
+
+// Goes deeper until no ray goes deeper, or a step changes less than `enough` levels, or its trees have become
+// so large that it traced `most_rays`. `deepest` ends the ladder; it is a step itself.
+DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
+                       int deepest, double enough, std::uint64_t most_rays = 8'000'000);
+
+}  // namespace trace
