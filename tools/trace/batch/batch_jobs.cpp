@@ -6,8 +6,9 @@
 #include <map>
 #include <set>
 
-#include "batch/batch_file.hpp"
+#include "batch/batch_files.hpp"
 #include "batch/foreign_renderer.hpp"
+#include "batch/solutions.hpp"
 #include "report/plain_text.hpp"
 #include "tools/trace/tolerances.hpp"
 
@@ -46,74 +47,6 @@ std::vector<Renderer> parse_renderers(const std::vector<std::string>& programs) 
   }
   return renderers;
 }
-
-// The batch.json files of the batch's folder and those below it, read when a scene there is met.
-class BatchFiles {
- public:
-  BatchFiles(fs::path root, std::string& messages) : root_(std::move(root)), messages_(messages) {}
-
-  bool valid() const { return valid_; }
-
-  // What they say of a scene; nothing where one of them excludes it.
-  std::optional<SceneOptions> of(const std::string& scene) {
-    SceneOptions result;
-    fs::path folder, rest = scene;
-    for (;;) {
-      if (const auto& file = in(folder)) {
-        const std::string path = rest.generic_string();
-        for (const std::string& pattern : file->exclude()) {
-          if (matches(pattern, path)) return std::nullopt;
-        }
-        result.add(file->of(path));
-      }
-      if (!rest.has_parent_path()) return result;
-      folder /= *rest.begin();
-      rest = rest.lexically_relative(*rest.begin());
-    }
-  }
-
- private:
-  const std::optional<BatchFile>& in(const fs::path& folder) {
-    const auto [entry, is_new] = files_.try_emplace(folder);
-    if (is_new) entry->second = BatchFile::read(root_ / folder / "batch.json", messages_, valid_);
-    return entry->second;
-  }
-
-  fs::path root_;
-  std::string& messages_;
-  bool valid_ = true;
-  std::map<fs::path, std::optional<BatchFile>> files_;
-};
-
-// The solutions by their names without extension.
-class Solutions {
- public:
-  explicit Solutions(fs::path root) : root_(std::move(root)) {}
-
-  // Empty where there is none. Of several kinds of picture the first in the list below.
-  fs::path find(const std::string& scene) {
-    const fs::path name = (root_ / scene).replace_extension("");
-    const fs::path folder = name.parent_path();
-    auto entry = files_.find(folder);
-    if (entry == files_.end()) {
-      std::error_code ignored;
-      entry = files_.emplace(folder, FileImages().list(folder, ignored)).first;
-    }
-    for (const std::string_view wanted :
-         {".png", ".bmp", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".tga", ".ppm", ".gif", ".hdr"}) {
-      for (const fs::path& file : entry->second) {
-        std::string extension = file.extension().string();
-        for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        if (extension == wanted && file.stem() == name.filename()) return file;
-      }
-    }
-    return {};
-  }
-
- private:
-  fs::path root_;
-  std::map<fs::path, std::vector<fs::path>> files_;
-};
 
 // As names stand in results: what is not UTF-8 is written \\xff, so that no two names become one.
 std::string valid_utf8_or_escaped(const std::string& name) {

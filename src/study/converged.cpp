@@ -1,0 +1,64 @@
+#include "study/converged.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "rendering/depth_pilot.hpp"
+#include "rendering/render.hpp"
+#include "rendering/uniform.hpp"
+#include "study/picture_error.hpp"
+
+namespace trace {
+namespace {
+
+// Levels that a step of depth may change when nothing more is to be seen of it.
+constexpr double settled_error = 0.02;
+// Trees that take more rays than this a sample are not followed further.
+constexpr double most_rays_per_sample = 100;
+// Rays of one half, at most, as far as there is a choice: some seconds.
+constexpr double most_rays = 4e7;
+
+ColorImage half(FrameRenderer& frame, int n, double place) {
+  Film film(frame.width(), frame.height(), true);
+  render_uniform(frame, film, n, place);
+  return std::move(film.colors());
+}
+
+}  // namespace
+
+Converged converge(const Scene& scene, const SceneTree& tree, const RenderOptions& options,
+                   bool fixed_depth) {
+  const auto begin = std::chrono::steady_clock::now();
+  const int height = static_cast<int>(picture_height(scene, options.width));
+  const DepthPilot pilot =
+      pilot_depth(scene, tree, options, height, fixed_depth ? options.depth : max_depth, settled_error / 2,
+                  static_cast<std::uint64_t>(most_rays_per_sample * 4096));
+  Converged result;
+  for (const DepthStep& step : pilot.steps) result.depths.push_back(step.depth);
+  const DepthStep& deepest = pilot.steps.back();
+  result.depth = result.settled_depth = deepest.depth;
+  for (const DepthStep& step : pilot.steps) {
+    if (step.error > settled_error) continue;
+    result.settled_depth = step.depth;
+    break;
+  }
+
+  const double samples_in_reach = most_rays / (deepest.rays_per_sample * options.width * height);
+  int n = 4;
+  for (const int finer : {6, 8, 12, 16}) {
+    if (finer * finer <= samples_in_reach) n = finer;
+  }
+  RenderOptions deep = options;
+  deep.depth = result.depth;
+  Progress progress;
+  FrameRenderer frame(scene, tree, deep, height, threads_or_all(options.threads), progress);
+  const ColorImage a = half(frame, n, 0.25), b = half(frame, n, 0.75);
+  result.colors = mean(a, b);
+  result.samples = 2 * n * n;
+  const double left = fixed_depth ? 0 : pilot.left;
+  result.error = std::hypot(picture_error(a, b).root_mean_square / 2, left);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace trace

@@ -1,0 +1,29 @@
+// The picture that more samples and more bounces would not change: the truth of a study, with its own error.
+#pragma once
+
+#include <string>
+
+#include "acceleration/scene_tree.hpp"
+#include "rendering/color_image.hpp"
+#include "rendering/options.hpp"
+
+namespace trace {
+
+struct Converged {
+  ColorImage colors;
+  int samples = 0;  // in each pixel
+  int depth = 0;
+  // RMSE in levels that it may be off itself. Of its samples: half the difference of its two halves, which
+  // are grids shifted against each other, so that what a shift changes counts too although it cancels in
+  // their mean. And of its depth: what the last deeper step changed (rendering/depth_pilot.hpp).
+  double error = 0;
+  double seconds = 0;
+  std::vector<int> depths;  // those that change the picture, ascending from 0
+  int settled_depth = 0;    // the first of which nothing is seen to be lost
+};
+
+// Of `options` width and the switches of shading count, and the depth where it is `fixed_depth`. Samples
+// become fewer where that would take very long; the error says so.
+Converged converge(const Scene& scene, const SceneTree& tree, const RenderOptions& options, bool fixed_depth);
+
+}  // namespace trace
