@@ -24,11 +24,15 @@ std::optional<std::size_t> face_of(const std::string& name) {
 
 }  // namespace
 
-Rgb CubeMap::lookup(const Vec3& d) const {
-  if (!is_finite(d) || is_zero(d)) return faces_[d.z < 0 ? 4 : 5].sample(Vec2(0));
-  const double a = std::abs(d.x), b = std::abs(d.y), c = std::abs(d.z);
-  int face;
-  double u, v;
+template <class T>
+glm::vec<3, T, glm::defaultp> CubeMap::lookup_in(const glm::vec<3, T, glm::defaultp>& d) const {
+  using Uv = glm::vec<2, T, glm::defaultp>;
+  const T a = std::abs(d.x), b = std::abs(d.y), c = std::abs(d.z);
+  const bool is_some_way =
+      std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z) && !(d.x == 0 && d.y == 0 && d.z == 0);
+  if (!is_some_way) return faces_[d.z < 0 ? 4 : 5].sample_in(Uv(0));
+  std::size_t face;
+  T u, v;
   if (a > b && a > c) {
     face = d.x > 0 ? 0 : 1;
     u = (d.x > 0 ? d.z : -d.z) / a;
@@ -42,7 +46,17 @@ Rgb CubeMap::lookup(const Vec3& d) const {
     u = (d.z < 0 ? d.x : -d.x) / c;
     v = d.y / c;
   }
-  return faces_[face].sample(Vec2((u + 1) / 2, (v + 1) / 2));
+  return faces_[face].sample_in(Uv((u + 1) / 2, (v + 1) / 2));
+}
+
+template glm::vec<3, float, glm::defaultp> CubeMap::lookup_in(const glm::vec<3, float, glm::defaultp>&) const;
+template glm::vec<3, long double, glm::defaultp> CubeMap::lookup_in(
+    const glm::vec<3, long double, glm::defaultp>&) const;
+
+template Rgb CubeMap::lookup_in(const Vec3&) const;
+
+Rgb CubeMap::lookup(const Vec3& d) const {
+  return lookup_in<double>(d);
 }
 
 std::optional<CubeMap> read_cube_map(const std::string& one_face, ImageSource& images, std::string& problem) {

@@ -19,6 +19,9 @@ class CubeMap {
   // A direction of length zero or not finite sees the lower left corner of `negz`; of `posz` if its z is
   // negative.
   Rgb lookup(const Vec3& direction) const;
+  // The same in another kind of number: float, double or long double.
+  template <class T>
+  glm::vec<3, T, glm::defaultp> lookup_in(const glm::vec<3, T, glm::defaultp>& direction) const;
 
  private:
   std::vector<Texture> faces_;

@@ -10,23 +10,34 @@ namespace trace {
 
 // 0.299 r + 0.587 g + 0.114 b. Numbers of a material are kept as grey triples and read through this, as the
 // course's renderer does: the weights do not sum to one in binary, which shows in the last bit.
-inline double luminance(const Rgb& c) {
-  return 0.299 * c.x + 0.587 * c.y + 0.114 * c.z;
+template <class T>
+T luminance(const glm::vec<3, T, glm::defaultp>& c) {
+  return T(0.299) * c.x + T(0.587) * c.y + T(0.114) * c.z;
 }
 
-// Values at one point of a surface. Everything is zero unless said; the index of refraction is one.
-struct Material {
-  Rgb emissive{0}, ambient{0}, diffuse{0}, specular{0}, reflective{0}, transmissive{0};
-  Rgb index{1}, shininess{0};
+// Values at one point of a surface. Everything is zero unless said; the index of refraction is one. T is the
+// kind of number: double in a scene, others where the arithmetic is compared (src/precision).
+template <class T>
+struct BasicMaterial {
+  using Color = glm::vec<3, T, glm::defaultp>;
+  Color emissive{0}, ambient{0}, diffuse{0}, specular{0}, reflective{0}, transmissive{0};
+  Color index{1}, shininess{0};
 
-  bool reflects() const { return !is_zero(reflective); }
-  bool transmits() const { return !is_zero(transmissive); }
+  bool reflects() const { return !is_black(reflective); }
+  bool transmits() const { return !is_black(transmissive); }
+
+ private:
+  static bool is_black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 };
 
+using Material = BasicMaterial<double>;
+
 // Linear in every parameter; what reflects and transmits is then decided on the mixed values.
-inline Material mix(const Material& a, const Material& b, const Material& c, double wa, double wb,
-                    double wc) {
-  const auto sum = [&](const Rgb& x, const Rgb& y, const Rgb& z) { return wa * x + wb * y + wc * z; };
+template <class T>
+BasicMaterial<T> mix(const BasicMaterial<T>& a, const BasicMaterial<T>& b, const BasicMaterial<T>& c, T wa,
+                     T wb, T wc) {
+  using Color = typename BasicMaterial<T>::Color;
+  const auto sum = [&](const Color& x, const Color& y, const Color& z) { return wa * x + wb * y + wc * z; };
   return {sum(a.emissive, b.emissive, c.emissive),
           sum(a.ambient, b.ambient, c.ambient),
           sum(a.diffuse, b.diffuse, c.diffuse),
@@ -42,8 +53,9 @@ inline constexpr TextureId no_texture = -1;
 
 // A material whose parameters may be maps. A map for `reflective` or `transmissive` is left out: the surface
 // neither mirrors nor lets light through (docs/language.md section 6).
-struct MappedMaterial {
-  Material values;
+template <class T>
+struct BasicMappedMaterial {
+  BasicMaterial<T> values;
   TextureId emissive = no_texture, ambient = no_texture, diffuse = no_texture, specular = no_texture;
   TextureId index = no_texture, shininess = no_texture;
 
@@ -51,5 +63,7 @@ struct MappedMaterial {
     return emissive >= 0 || ambient >= 0 || diffuse >= 0 || specular >= 0 || index >= 0 || shininess >= 0;
   }
 };
+
+using MappedMaterial = BasicMappedMaterial<double>;
 
 }  // namespace trace

@@ -2,10 +2,12 @@
 
 namespace trace {
 
-Material at_point(const MappedMaterial& material, const std::vector<Texture>& textures, const Vec2& uv) {
-  Material result = material.values;
-  const auto take = [&](Rgb& value, TextureId map) {
-    if (map >= 0) value = textures[static_cast<std::size_t>(map)].sample(uv);
+template <class T>
+BasicMaterial<T> at_point(const BasicMappedMaterial<T>& material, const std::vector<Texture>& textures,
+                          const glm::vec<2, T, glm::defaultp>& uv) {
+  BasicMaterial<T> result = material.values;
+  const auto take = [&](glm::vec<3, T, glm::defaultp>& value, TextureId map) {
+    if (map >= 0) value = textures[static_cast<std::size_t>(map)].sample_in<T>(uv);
   };
   take(result.emissive, material.emissive);
   take(result.ambient, material.ambient);
@@ -14,9 +16,16 @@ Material at_point(const MappedMaterial& material, const std::vector<Texture>& te
   take(result.index, material.index);
   if (material.shininess >= 0) {
     take(result.shininess, material.shininess);
-    result.shininess *= 128.0;  // a map holds 0 to 1, shininess runs to 128
+    result.shininess *= T(128);  // a map holds 0 to 1, shininess runs to 128
   }
   return result;
 }
+
+template BasicMaterial<float> at_point(const BasicMappedMaterial<float>&, const std::vector<Texture>&,
+                                       const glm::vec<2, float, glm::defaultp>&);
+template Material at_point(const MappedMaterial&, const std::vector<Texture>&, const Vec2&);
+template BasicMaterial<long double> at_point(const BasicMappedMaterial<long double>&,
+                                             const std::vector<Texture>&,
+                                             const glm::vec<2, long double, glm::defaultp>&);
 
 }  // namespace trace

@@ -9,7 +9,9 @@
 namespace trace {
 
 // The values at one point of a surface. Surfaces without texture coordinates show the lower left texel of a
-// map everywhere: their uv is (0, 0).
-Material at_point(const MappedMaterial& material, const std::vector<Texture>& textures, const Vec2& uv);
+// map everywhere: their uv is (0, 0). T is float, double or long double.
+template <class T>
+BasicMaterial<T> at_point(const BasicMappedMaterial<T>& material, const std::vector<Texture>& textures,
+                          const glm::vec<2, T, glm::defaultp>& uv);
 
 }  // namespace trace

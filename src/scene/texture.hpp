@@ -15,12 +15,16 @@ class Texture {
   // the four texels around it; texel = byte / 255. Terms are summed left to right, each colour * x weight * y
   // weight.
   Rgb sample(const Vec2& uv) const;
+  // The same in another kind of number: float, double or long double.
+  template <class T>
+  glm::vec<3, T, glm::defaultp> sample_in(const glm::vec<2, T, glm::defaultp>& uv) const;
 
   int width() const { return image_.width; }
   int height() const { return image_.height; }
 
  private:
-  Rgb texel(int x, int y) const;  // y = 0 is the bottom row
+  template <class T>
+  glm::vec<3, T, glm::defaultp> texel(int x, int y) const;  // y = 0 is the bottom row
 
   SharedImage image_;
 };

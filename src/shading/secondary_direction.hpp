@@ -9,9 +9,11 @@
 
 namespace trace {
 
-inline Vec3 mirrored_direction(const Vec3& d, const Vec3& n) {
-  const Vec3 along = glm::dot(n, -d) * n;
-  const Vec3 across = along + d;
+// V is a vector of three numbers, in doubles but where the arithmetic is compared (src/precision).
+template <class V>
+V mirrored_direction(const V& d, const V& n) {
+  const V along = glm::dot(n, -d) * n;
+  const V across = along + d;
   return along + across;
 }
 
@@ -25,10 +27,11 @@ inline Vec3 mirrored_direction(const Vec3& d, const Vec3& n) {
 // whose true k is that small can be taken for the other kind. (1 - eta s)(1 + eta s) has the same error, that
 // of the sine s: it would change bits and gain nothing. The length is 1 whatever the error of k, which the
 // two parts share.
-inline std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& n, double eta) {
+template <class V>
+std::optional<V> refracted_direction(const V& d, const V& n, typename V::value_type eta) {
   if (!std::isfinite(eta)) return std::nullopt;
-  const Vec3 across = eta * (d - glm::dot(n, d) * n);
-  const double k = 1 - glm::dot(across, across);
+  const V across = eta * (d - glm::dot(n, d) * n);
+  const auto k = 1 - glm::dot(across, across);
   if (k < 0) return std::nullopt;
   return across - std::sqrt(k) * n;
 }

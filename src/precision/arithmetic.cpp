@@ -1,0 +1,26 @@
+#include "precision/arithmetic.hpp"
+
+#include "parallel/parallel.hpp"
+#include "precision/render_as.hpp"
+
+namespace trace {
+
+// A format with less could not be the truth of double.
+static_assert(std::numeric_limits<long double>::digits >= 64);
+
+ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const RenderOptions& options,
+                            int threads) {
+  const int at_once = threads_or_all(threads);
+  const SceneTree tree(scene, at_once, options.instruction_set);
+  switch (arithmetic) {
+    case Arithmetic::single:
+      return precision::render_as<float>(scene, tree, options, at_once);
+    case Arithmetic::working:
+      return precision::render_as<double>(scene, tree, options, at_once);
+    case Arithmetic::extended:
+      break;
+  }
+  return precision::render_as<long double>(scene, tree, options, at_once);
+}
+
+}  // namespace trace
