@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "geometry/vector.hpp"
 
@@ -34,8 +35,8 @@ using Material = BasicMaterial<double>;
 
 // Linear in every parameter; what reflects and transmits is then decided on the mixed values.
 template <class T>
-BasicMaterial<T> mix(const BasicMaterial<T>& a, const BasicMaterial<T>& b, const BasicMaterial<T>& c, T wa,
-                     T wb, T wc) {
+BasicMaterial<T> mix(const BasicMaterial<T>& a, const BasicMaterial<T>& b, const BasicMaterial<T>& c,
+                     std::type_identity_t<T> wa, std::type_identity_t<T> wb, std::type_identity_t<T> wc) {
   using Color = typename BasicMaterial<T>::Color;
   const auto sum = [&](const Color& x, const Color& y, const Color& z) { return wa * x + wb * y + wc * z; };
   return {sum(a.emissive, b.emissive, c.emissive),
