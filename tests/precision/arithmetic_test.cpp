@@ -44,13 +44,13 @@ Scene tilted_plane_at(double coordinate) {
 
 }  // namespace
 
-TEST_CASE("on a smooth surface a float loses 2^29 times what a double does, within 2^4") {
+TEST_CASE("on a smooth surface a float loses 2^29 times what a double does, within a factor of 4") {
   const Scene scene = shaded_sphere();
   const double single = loss(Arithmetic::single, scene, of_width(64)).root_mean_square;
   const double working = loss(Arithmetic::working, scene, of_width(64)).root_mean_square;
   INFO(single << " and " << working << " levels: 2^" << std::log2(single / working));
-  CHECK(single / working > 0x1p25);
-  CHECK(single / working < 0x1p33);
+  CHECK(single / working > 0x1p27);
+  CHECK(single / working < 0x1p31);
   CHECK(single < 0.1);
   CHECK(working > 0);
 }
