@@ -34,6 +34,11 @@ struct Bvh {
   float slack = 0;                      // by which a hit's t may come out too small (see upper_limit)
 };
 
+// Of the lists that it holds.
+inline std::size_t bytes_of(const Bvh& bvh) {
+  return bvh.nodes.size() * sizeof(BvhNode) + bvh.order.size() * sizeof(std::uint32_t);
+}
+
 // The surface-area heuristic's estimate of the work for a ray that meets the root: the sum over all nodes of
 // their surface, and over all leaves of their surface times their items, in units of the root's surface. A
 // node with its eight boxes counts as much as one item, or as one block of items where a search tests so many

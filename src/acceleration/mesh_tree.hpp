@@ -43,6 +43,11 @@ class MeshTree {
   Triangle triangle(std::uint32_t place) const { return Triangle(corners(place)); }
   Corners corners(std::uint32_t place) const { return mesh_->corners(faces_[place].corners); }
 
+  // Of the lists that it holds.
+  std::size_t bytes() const {
+    return bytes_of(bvh_) + faces_.size() * sizeof(LeafFace) + filter_.values.size() * sizeof(float);
+  }
+
   const Vec3& centre() const { return bvh_.centre; }
   double radius() const { return radius_; }
   // The sum of sizes of the way from any corner to the origin is at most this.

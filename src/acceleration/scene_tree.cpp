@@ -33,9 +33,10 @@ class FrameRays {
 
 }  // namespace
 
-SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set) : scene_(scene) {
+SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set, bool always_sorted)
+    : scene_(scene) {
   ThreadBudget budget(threads_or_all(threads));
-  if (scene.objects.size() > max_unsorted) {
+  if (scene.objects.size() > (always_sorted ? 0 : max_unsorted)) {
     Bounds all;
     for (const Object& object : scene.objects) all.add(object.bounds);
     BvhItems items(all, scene.objects.size());
@@ -44,6 +45,12 @@ SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set) : scen
   }
   meshes_.reserve(scene.meshes.size());
   for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, set, budget);
+}
+
+std::size_t SceneTree::bytes() const {
+  std::size_t sum = bytes_of(bvh_) + meshes_.size() * sizeof(MeshTree);
+  for (const MeshTree& mesh : meshes_) sum += mesh.bytes();
+  return sum;
 }
 
 template <class Leaf>

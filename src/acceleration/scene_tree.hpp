@@ -20,8 +20,10 @@ struct Hit {
 class SceneTree {
  public:
   // Refers to `scene`, which must outlive it. Built by so many threads; 0: as many as the machine has. What
-  // is built does not depend on it.
-  explicit SceneTree(const Scene& scene, int threads = 0, InstructionSet set = best_instruction_set());
+  // is built does not depend on it. `always_sorted`: a hierarchy over a handful of objects too, which finds
+  // the same.
+  explicit SceneTree(const Scene& scene, int threads = 0, InstructionSet set = best_instruction_set(),
+                     bool always_sorted = false);
 
   // The nearest hit; of hits at the same t that of the object first in the file. With `cull`, mesh faces seen
   // from behind are passed over.
@@ -36,6 +38,9 @@ class SceneTree {
   // The object at a place in the order of the leaves, or of the list.
   std::uint32_t object_at(std::uint32_t place) const { return is_list() ? place : bvh_.order[place]; }
   const MeshTree& mesh(MeshId id) const { return meshes_[id.index]; }
+
+  // Of memory, that of the meshes themselves not counted.
+  std::size_t bytes() const;
 
  private:
   // Calls leaf(first, count, limit) as traverse() does; `first` counts places of object_at().

@@ -17,8 +17,7 @@ class FrameRenderer {
  public:
   FrameRenderer(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
                 int threads, Progress& progress)
-      : scene_(scene),
-        tree_(tree),
+      : traced_(scene, tree, options.shading),
         options_(options),
         caster_(scene.camera),
         height_(height),
@@ -31,8 +30,8 @@ class FrameRenderer {
    public:
     Sampler(const FrameRenderer& frame, RayCounts& counts)
         : caster_(frame.caster_),
-          tracer_(frame.scene_, frame.tree_, frame.options_.shading, counts),
-          packets_(frame.scene_, frame.tree_, frame.options_.shading, frame.options_.instruction_set, counts),
+          tracer_(frame.traced_, counts),
+          packets_(frame.traced_, frame.options_.instruction_set, counts),
           depth_(frame.options_.depth),
           width_(frame.options_.width),
           height_(frame.height_) {}
@@ -85,8 +84,7 @@ class FrameRenderer {
   }
 
  private:
-  const Scene& scene_;
-  const SceneTree& tree_;
+  TracedScene traced_;
   const RenderOptions& options_;
   RayCaster caster_;
   int height_;

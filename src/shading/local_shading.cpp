@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shading/shadow.hpp"
+
 namespace trace {
 namespace {
 
@@ -30,37 +32,60 @@ Color received(const Rgb& light, double attenuation, const Color& shadow, const 
 
 }  // namespace
 
-PartialRgb shade_locally(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
-                         const Surface& surface, const Vec3& toward_surface, RayCounts& counts) {
+PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const Vec3& toward_surface,
+                         RayCounts& counts) {
+  const Scene& scene = world.scene();
+  const ShadingOptions& options = world.options();
   const Material& material = surface.material();
+  SparedShadows uncounted;
+  SparedShadows& spared = options.count_work ? counts.work.shadows : uncounted;
+  spared.culled += world.culled_lights();
   PartialRgb color(own_light<Rgb>(material, scene.ambient));
   if (!color.finite()) color = own_light<PartialRgb>(material, scene.ambient);
   const bool transmits = material.transmits();
   Vec3 normal = surface.normal();
-  if (!all_finite(surface.point() * 0.0 + normal)) return color;
-  if (glm::dot(normal, toward_surface) > 0) {
-    if (!transmits) return color;
-    normal = -normal;
+  if (!all_finite(surface.point() * 0.0 + normal)) {
+    spared.out_of_reach += world.lights().size();
+    return color;
   }
+  const bool is_back = glm::dot(normal, toward_surface) > 0;
+  if (is_back && transmits) normal = -normal;
   const double shininess = luminance(material.shininess);
   // A surface that sends nothing of a light needs no shadow ray, unless 0 times what comes back is not 0.
   const bool may_skip = !scene.shadow_may_be_undefined && shininess >= 0;
-  if (may_skip && is_zero(material.diffuse) && is_zero(material.specular)) return color;
+  const bool unlit_back = is_back && !transmits;
+  const bool unlit = unlit_back || (may_skip && is_zero(material.diffuse) && is_zero(material.specular));
+  if (unlit && !options.model_everything) {
+    (unlit_back ? spared.from_back : spared.reflects_nothing) += world.lights().size();
+    return color;
+  }
 
   const Vec3 to_viewer = -toward_surface;
-  for (const Light& light : scene.lights) {
+  for (const Light& light : world.lights()) {
     const LightSample sample = std::visit([&](const auto& l) { return l.sample(surface.point()); }, light);
     const Rgb& light_color = std::visit([](const auto& l) -> const Rgb& { return l.color; }, light);
-    if (!sample.reaches) continue;
+    if (!sample.reaches) {
+      ++spared.out_of_reach;
+      continue;
+    }
     const double cosine = glm::dot(normal, sample.towards);
     const double diffuse = transmits ? std::abs(cosine) : std::max(0.0, cosine);
-    const Vec3 highlight =
-        highlight_direction(normal, sample.towards, options.backface_specular && transmits);
-    const double specular = std::pow(std::max(0.0, glm::dot(highlight, to_viewer)), shininess);
+    double specular = 0;
+    if (options.model_everything || needs_highlight(material, shininess)) {
+      const Vec3 highlight =
+          highlight_direction(normal, sample.towards, options.backface_specular && transmits);
+      specular = std::pow(std::max(0.0, glm::dot(highlight, to_viewer)), shininess);
+      if (options.count_work) ++counts.work.highlights;
+    }
     const Rgb share = reflected_share<Rgb>(material, diffuse, specular);
-    if (may_skip && is_zero(share)) continue;
-    const PartialRgb shadow =
-        shadow_attenuation(scene, tree, options, surface.leaving(sample.towards), sample.distance, counts);
+    const bool adds = !unlit && !(may_skip && is_zero(share));
+    if (!adds && !options.model_everything) {
+      ++spared.behind;
+      continue;
+    }
+    const PartialRgb shadow = shadow_attenuation(scene, world.tree(), options,
+                                                 surface.leaving(sample.towards), sample.distance, counts);
+    if (!adds) continue;  // thrown away
     const PartialRgb sum(color.value + received<Rgb>(light_color, sample.attenuation, shadow.value, share),
                          color.undefined | shadow.undefined);
     if (sum.finite()) {

@@ -11,26 +11,33 @@
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
-void trace_batch(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, int depth,
-                 SampleBatch& batch, RayCounts& sum) {
-  const PacketScene world{scene, tree, options, depth};
+void trace_batch(const TracedScene& traced, int depth, SampleBatch& batch, RayCounts& sum) {
+  const PacketScene world{traced, depth};
   Rays rays;
-  rays.origin = Vectors(scene.camera.eye);
+  rays.origin = Vectors(world.scene.camera.eye);
   rays.origin_error = rays.least_t = 0.0;
   Numbers primary = 0.0;
-  LaneCounts total{0.0, 0.0, 0.0};
+  LaneCounts total{0.0, 0.0, 0.0, nullptr};
+  const Paths whole{1.0, Vectors(0.0, 0.0, 0.0), no_lanes()};
+  const Paths* const paths = world.options.least_contribution > 0 ? &whole : nullptr;
   for (std::size_t i = 0; i < batch.count; i += lanes) {
     const Mask active = first_lanes(std::min(lanes, batch.count - i));
     rays.direction = normalized(Vectors(load(batch.x + i), load(batch.y + i), load(batch.z + i)));
-    LaneCounts counts{0.0, 0.0, 0.0};
+    LaneCounts counts{0.0, 0.0, 0.0, nullptr};
+    LaneWork work;
+    if (world.options.count_work) {
+      work.clear();
+      counts.work = &work;
+    }
     Mask odd = no_lanes();
     Seen seen;
-    trace_packet(world, rays, active, Kind::visibility, depth, seen, counts, odd);
+    trace_packet(world, rays, active, Kind::visibility, depth, paths, seen, counts, odd);
     const Mask good = without(active, odd);
     primary += where(good, 1.0);
     total.reflected += where(good, counts.reflected);
     total.refracted += where(good, counts.refracted);
     total.shadow += where(good, counts.shadow);
+    if (counts.work) work.add_to(sum.work, good);
     store(seen.color.x, batch.red + i);
     store(seen.color.y, batch.green + i);
     store(seen.color.z, batch.blue + i);
@@ -49,18 +56,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace trace {
 
-PacketTracer::PacketTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
-                           InstructionSet set, RayCounts& counts)
-    : scene_(scene), tree_(tree), options_(options), set_(set), counts_(counts) {}
+PacketTracer::PacketTracer(const TracedScene& world, InstructionSet set, RayCounts& counts)
+    : world_(world), set_(set), counts_(counts) {}
 
 void PacketTracer::trace(SampleBatch& batch, int depth) const {
   switch (set_) {
     case InstructionSet::avx512:
-      return N_AVX3::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+      return N_AVX3::trace_batch(world_, depth, batch, counts_);
     case InstructionSet::avx2:
-      return N_AVX2::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+      return N_AVX2::trace_batch(world_, depth, batch, counts_);
     default:
-      return N_SSE4::trace_batch(scene_, tree_, options_, depth, batch, counts_);
+      return N_SSE4::trace_batch(world_, depth, batch, counts_);
   }
 }
 

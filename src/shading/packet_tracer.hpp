@@ -5,9 +5,8 @@
 #pragma once
 
 #include "instruction_set/instruction_set.hpp"
-#include "shading/options.hpp"
 #include "shading/ray_counts.hpp"
-#include "shading/surface.hpp"
+#include "shading/traced_scene.hpp"
 
 namespace trace {
 
@@ -35,15 +34,12 @@ class PacketTracer {
  public:
   // Refers to its arguments, which must outlive it. `counts` is for one thread. The baseline leaves out all
   // samples.
-  PacketTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, InstructionSet set,
-               RayCounts& counts);
+  PacketTracer(const TracedScene& world, InstructionSet set, RayCounts& counts);
 
   void trace(SampleBatch& batch, int depth) const;
 
  private:
-  const Scene& scene_;
-  const SceneTree& tree_;
-  const ShadingOptions& options_;
+  const TracedScene& world_;
   InstructionSet set_;
   RayCounts& counts_;
 };

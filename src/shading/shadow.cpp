@@ -7,7 +7,7 @@ namespace trace {
 PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const ShadingOptions& options,
                               Ray ray, double distance, RayCounts& counts) {
   if (!options.shadows) return Rgb(1);
-  if (!scene.has_transmissive_objects) {
+  if (!scene.has_transmissive_objects && !options.model_everything) {
     ++counts.shadow;
     return Rgb(tree.occluded(ray, distance) ? 0 : 1);
   }
@@ -16,7 +16,9 @@ PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const S
     ++counts.shadow;
     const Hit hit = tree.closest(ray, false);
     if (!hit || hit.t >= distance) return left;
-    const Surface surface(scene, ray, hit, options.smooth_shading);
+    const Surface surface(scene, ray, hit, options.smooth_shading, options.model_everything);
+    if (options.count_work && evaluates_maps(scene, scene.objects[hit.object], options.model_everything))
+      ++counts.work.maps;
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
     if (glm::dot(surface.normal(), ray.direction) > 0)

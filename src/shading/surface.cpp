@@ -31,7 +31,8 @@ double height_of_point(const Scene& scene, const Object& object, const LocalHit&
 
 }  // namespace
 
-Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth) : point_(ray.at(hit.t)) {
+Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth, bool always_maps)
+    : point_(ray.at(hit.t)) {
   const Object& object = scene.objects[hit.object];
   const MappedMaterial& material = scene.materials[object.material];
   material_ = &material.values;
@@ -48,7 +49,7 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
   } else if (std::holds_alternative<Cone>(object.shape)) {
     facing = Cone::facing(normal);
   }
-  if (material.has_maps() && !std::holds_alternative<MeshId>(object.shape)) {
+  if (evaluates_maps(scene, object, always_maps)) {
     own_ = at_point(material, scene.textures, hit.local.uv);
     material_ = &own_;
   }

@@ -8,10 +8,19 @@ namespace trace {
 // Cosines smaller than this say only that a ray runs in a surface.
 inline constexpr double least_cosine = 0x1p-36;
 
+// Whether the material of an object is evaluated through its maps at each point; `always` where it has none
+// too, for nothing. A mesh has no texture coordinates: its material is one value, or mixed from its points'.
+inline bool evaluates_maps(const Scene& scene, const Object& object, bool always) {
+  const bool has_maps = scene.materials[object.material].has_maps();
+  const auto* id = std::get_if<MeshId>(&object.shape);
+  if (!id) return has_maps || always;
+  return always && !has_maps && scene.meshes[id->index].materials.empty();
+}
+
 class Surface {
  public:
-  // `smooth`: use the vertex normals of meshes that have them.
-  Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth);
+  // `smooth`: use the vertex normals of meshes that have them. `always_maps`: as evaluates_maps().
+  Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth, bool always_maps = false);
   Surface(const Surface&) = delete;
   Surface& operator=(const Surface&) = delete;
 

@@ -2,10 +2,11 @@
 // course's rules for what is attenuated where (docs/language.md section 6).
 #pragma once
 
-#include "shading/options.hpp"
+#include "shading/contribution.hpp"
 #include "shading/partial_rgb.hpp"
 #include "shading/ray_counts.hpp"
 #include "shading/surface.hpp"
+#include "shading/traced_scene.hpp"
 
 namespace trace {
 
@@ -15,8 +16,8 @@ inline constexpr int max_depth = 1000;
 class WhittedTracer {
  public:
   // Refers to its arguments, which must outlive it. `counts` is for one thread.
-  WhittedTracer(const Scene& scene, const SceneTree& tree, const ShadingOptions& options, RayCounts& counts)
-      : scene_(scene), tree_(tree), options_(options), counts_(counts) {}
+  WhittedTracer(const TracedScene& world, RayCounts& counts)
+      : world_(world), options_(world.options()), counts_(counts) {}
 
   // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; it may
   // be infinite or undefined.
@@ -33,12 +34,13 @@ class WhittedTracer {
     double t;  // of the hit; length_of_miss for none
   };
 
-  Result trace(const Ray& ray, Kind kind, int depth) const;
-  PartialRgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth) const;
-  PartialRgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth) const;
+  // `weight` is that of the surface.
+  Result trace(const Ray& ray, Kind kind, int depth, const Path& path) const;
+  PartialRgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth, double weight) const;
+  PartialRgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth, double weight) const;
+  bool is_too_faint(double weight) const;
 
-  const Scene& scene_;
-  const SceneTree& tree_;
+  const TracedScene& world_;
   const ShadingOptions& options_;
   RayCounts& counts_;
 };

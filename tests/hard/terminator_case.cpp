@@ -34,7 +34,9 @@ void shoot(const Mesh& mesh, const Scene& scene, const SceneTree& tree, const Ve
   const double cosine = glm::dot(smooth, to_light);
   if (std::abs(glm::dot(flat, to_light)) < 1e-6 || glm::dot(smooth, way) < 1e-6) return;
   RayCounts counts;
-  const Rgb seen = WhittedTracer(scene, tree, {}, counts).trace({point + 3.0 * way, -way}, 0).value;
+  const ShadingOptions usual;
+  const TracedScene world(scene, tree, usual);
+  const Rgb seen = WhittedTracer(world, counts).trace({point + 3.0 * way, -way}, 0).value;
   digest.add(seen.x);
   const double lit = std::max(0.0, cosine);
   ++plain.rays;

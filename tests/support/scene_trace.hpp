@@ -16,7 +16,8 @@ struct Traced {
 inline Traced traced(const Scene& scene, const Ray& ray, int depth = 0, const ShadingOptions& options = {}) {
   const SceneTree tree(scene);
   Traced result;
-  const PartialRgb color = WhittedTracer(scene, tree, options, result.rays).trace(ray, depth);
+  const TracedScene world(scene, tree, options);
+  const PartialRgb color = WhittedTracer(world, result.rays).trace(ray, depth);
   result.color = color.value;
   result.undefined = color.undefined;
   return result;

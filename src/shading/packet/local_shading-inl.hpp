@@ -9,23 +9,19 @@
 #define TRACE_SHADING_PACKET_LOCAL_SHADING_INL_HPP
 #endif
 
-#include "shading/options.hpp"
 #include "shading/packet/surfaces-inl.hpp"
+#include "shading/traced_scene.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
-// How many rays each lane's tree has.
-struct LaneCounts {
-  Numbers reflected, refracted, shadow;
-};
-
 // What all of a picture's packets are traced with.
 struct PacketScene {
-  const Scene& scene;
-  const SceneTree& tree;
-  const ShadingOptions& options;
+  const TracedScene& traced;
   int depth;  // of the ray trees
+  const Scene& scene = traced.scene();
+  const SceneTree& tree = traced.tree();
+  const ShadingOptions& options = traced.options();
 };
 
 // base to the power of exponent, as the library has it.
@@ -58,7 +54,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shadow_attenuations(const PacketSce
   Vectors left(1.0, 1.0, 1.0);
   if (!world.options.shadows) return left;
   counts.shadow += where(active, 1.0);
-  if (!world.scene.has_transmissive_objects) {
+  if (!world.scene.has_transmissive_objects && !world.options.model_everything) {
     const Mask dark = occluded(world.scene, world.tree, rays, active, distance);
     const Numbers light = select(dark, 0.0, 1.0);
     return {light, light, light};
@@ -70,7 +66,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shadow_attenuations(const PacketSce
     if (none(active)) return left;
     Surfaces surface;
     Mask unusual = no_lanes();
-    surfaces_of(world.scene, rays, hits, active, world.options.smooth_shading, surface, unusual);
+    surfaces_of(world.scene, world.options, rays, hits, active, surface, unusual, counts);
     odd |= unusual;
     active = without(active, unusual);
     const Mask opaque = active & is_zero(surface.material.transmissive);
@@ -125,23 +121,34 @@ HWY_INLINE Vectors highlight_directions(const Vectors& normal, const Vectors& to
   return select(behind, normalized((2.0 * -cosine) * normal - towards), in_front);
 }
 
-// The highlight's share. A power is finite below an exponent of a million, for the base is at most 1 and a
-// few roundings; a surface without a specular colour then shows 0 times it, which is 0.
-HWY_INLINE Numbers highlights(const Numbers& cosine, const Materials& material, const Mask& some) {
+// The highlight's share, with needs_highlight() of local_shading.hpp; `always`: whether it does or not.
+HWY_INLINE Numbers highlights(const Numbers& cosine, const Materials& material, const Mask& some, bool always,
+                              const LaneCounts& counts) {
   const Numbers base = select(cosine > 0.0, cosine, 0.0);
   const Mask moderate = (material.shininess >= 0.0) & (material.shininess <= 1e6);
-  const Mask asked = without(some, moderate & is_zero(material.specular));
+  Mask asked = without(some, moderate & is_zero(material.specular));
+  if (always) asked = some;
+  note(counts, &LaneWork::highlights, asked);
   // 0 to the power of a positive number.
   const Mask dark = (base == 0.0) & (material.shininess > 0.0);
   return where(asked, power(base, material.shininess, without(asked, dark)));
 }
 
+// Which surfaces a light is added to. The unlit ones show nothing of any light: they are here only where
+// everything is modelled.
+struct Lit {
+  Mask lit, unlit;
+};
+
 template <class Light>
 HWY_INLINE void add_light(const PacketScene& world, const Light& light, const Surfaces& surface,
-                          const Vectors& normal, const Vectors& to_viewer, const Mask& lit, bool may_skip,
+                          const Vectors& normal, const Vectors& to_viewer, const Lit& which, bool may_skip,
                           Vectors& color, LaneCounts& counts, Mask& odd) {
-  Mask reached = without(lit, odd);
+  const bool everything = world.options.model_everything;
+  const Mask asked = without(everything ? which.lit | which.unlit : which.lit, odd);
+  Mask reached = asked;
   const LightSamples sample = sample_of(light, surface.point, reached, odd);
+  note(counts, &LaneWork::out_of_reach, without(asked, reached));
   if (none(reached)) return;
   const Materials& material = surface.material;
   const Mask transmits = !is_zero(material.transmissive);
@@ -149,16 +156,23 @@ HWY_INLINE void add_light(const PacketScene& world, const Light& light, const Su
   const Numbers diffuse = select(transmits, abs(cosine), select(cosine > 0.0, cosine, 0.0));
   const Mask from_behind = world.options.backface_specular ? transmits : no_lanes();
   const Vectors highlight = highlight_directions(normal, sample.towards, cosine, from_behind);
-  const Numbers specular = highlights(dot(highlight, to_viewer), material, reached);
+  const Numbers specular = highlights(dot(highlight, to_viewer), material, reached, everything, counts);
   const Vectors share = diffuse * material.diffuse + specular * material.specular;
-  if (may_skip) reached = without(reached, is_zero(share));
+  Mask adds = reached;
+  if (may_skip) adds = without(reached, is_zero(share));
+  if (everything) {
+    adds = without(adds, which.unlit);
+  } else {
+    note(counts, &LaneWork::behind, without(reached, adds));
+    reached = adds;
+  }
   if (none(reached)) return;
   const Vectors shadow =
       shadow_attenuations(world, surface.leaving(sample.towards), sample.distance, reached, counts, odd);
   const Vectors received = ((sample.attenuation * Vectors(light.color)) * shadow) * share;
   const Vectors sum = color + received;
-  odd |= without(reached, all_finite(sum));
-  color = select(reached, sum, color);
+  odd |= without(adds, all_finite(sum));
+  color = select(adds, sum, color);
 }
 
 // shade_locally()
@@ -166,22 +180,38 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shade_locally(const PacketScene& wo
                                                            const Vectors& toward_surface, const Mask& hit,
                                                            LaneCounts& counts, Mask& odd) {
   const Materials& material = surface.material;
+  const std::vector<Light>& lights = world.traced.lights();
   Vectors color = material.emissive + material.ambient * Vectors(world.scene.ambient);
   odd |= without(hit, all_finite(color) & all_finite(0.0 * surface.point + surface.normal));
   const Mask transmits = !is_zero(material.transmissive);
   const Mask back = dot(surface.normal, toward_surface) > 0.0;
   const Vectors normal = select(back, -surface.normal, surface.normal);
-  Mask lit = without(hit, odd | without(back, transmits));
-  odd |= without(lit, material.shininess >= 0.0);
+  const Mask unlit_back = without(back, transmits);
+  Lit which;
+  which.lit = without(hit, odd | unlit_back);
+  odd |= without(which.lit, material.shininess >= 0.0);
   const bool may_skip = !world.scene.shadow_may_be_undefined;
-  if (may_skip) lit = without(lit, is_zero(material.diffuse) & is_zero(material.specular));
+  Mask dull = no_lanes();
+  if (may_skip) {
+    dull = which.lit & is_zero(material.diffuse) & is_zero(material.specular);
+    which.lit = without(which.lit, dull);
+  }
+  which.unlit = dull | (hit & unlit_back);
+  if (HWY_UNLIKELY(counts.work)) {
+    note(counts, &LaneWork::culled, hit, world.traced.culled_lights());
+    if (!world.options.model_everything) {
+      note(counts, &LaneWork::from_back, hit & unlit_back, lights.size());
+      note(counts, &LaneWork::reflects_nothing, dull, lights.size());
+    }
+  }
+  const Mask asked = world.options.model_everything ? hit : which.lit;
   const Vectors to_viewer = -toward_surface;
-  for (const Light& light : world.scene.lights) {
-    if (none(without(lit, odd))) break;
+  for (const Light& light : lights) {
+    if (none(without(asked, odd))) break;
     if (const auto* point = std::get_if<PointLight>(&light)) {
-      add_light(world, *point, surface, normal, to_viewer, lit, may_skip, color, counts, odd);
+      add_light(world, *point, surface, normal, to_viewer, which, may_skip, color, counts, odd);
     } else {
-      add_light(world, std::get<DirectionalLight>(light), surface, normal, to_viewer, lit, may_skip, color,
+      add_light(world, std::get<DirectionalLight>(light), surface, normal, to_viewer, which, may_skip, color,
                 counts, odd);
     }
   }

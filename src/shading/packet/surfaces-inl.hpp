@@ -8,6 +8,8 @@
 
 #include "acceleration/packet/scene-inl.hpp"
 #include "scene/material_maps.hpp"
+#include "shading/options.hpp"
+#include "shading/packet/counts-inl.hpp"
 #include "shading/surface.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -131,9 +133,9 @@ HWY_INLINE Numbers distance_of_face(const Faces& face, const Vectors& normal, co
 
 // The surfaces of the lanes `some`, which all hit `object` at `result.point`; but for the point what is
 // filled in for other lanes does not count. `unusual` gets those whose surface only the scalar code can tell.
-HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object& object,
-                                               const LocalHits& local, const Mask& some, bool smooth,
-                                               Surfaces& result, Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const ShadingOptions& options,
+                                               const Object& object, const LocalHits& local, const Mask& some,
+                                               Surfaces& result, Mask& unusual, const LaneCounts& counts) {
   const Frame& frame = scene.frames[object.frame];
   const MappedMaterial& material = scene.materials[object.material];
   const Vectors p = point_times(frame.to_object, result.point);
@@ -148,7 +150,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object&
     const Vectors across = cross(face.ab, face.ac);
     normal = facing = normalized(across);
     distance_to_surface = distance_of_face(face, across, p);
-    if (smooth && mesh.geometry.smooth()) {
+    if (options.smooth_shading && mesh.geometry.smooth()) {
       normal = smooth_normals(mesh.geometry, part, local, bits);
       differs = true;
     }
@@ -170,16 +172,16 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object&
       facing.z = select(on_side, 0.5 * normal.z, normal.z);
       differs = true;
     }
-    if (material.has_maps()) {
-      MaterialLanes own;
-      const Lanes u(local.u), v(local.v);
-      for (const std::size_t i : each_lane(bits)) {
-        own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
-      }
-      result.material = own.materials();
-    } else {
-      result.material = Materials(material.values);
+    if (!material.has_maps()) result.material = Materials(material.values);
+  }
+  if (evaluates_maps(scene, object, options.model_everything)) {
+    MaterialLanes own;
+    const Lanes u(local.u), v(local.v);
+    for (const std::size_t i : each_lane(bits)) {
+      own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
     }
+    result.material = own.materials();
+    note(counts, &LaneWork::maps, some);
   }
   Mask odd = no_lanes();
   result.normal = world_normals(frame, normal, odd);
@@ -191,9 +193,10 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Object&
 }
 
 // The surfaces of the lanes `hit`; `unusual` gets those that only the scalar code can tell.
-HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const Rays& rays, const Hits& hits,
-                                                      const Mask& hit, bool smooth, Surfaces& result,
-                                                      Mask& unusual) {
+HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const ShadingOptions& options,
+                                                      const Rays& rays, const Hits& hits, const Mask& hit,
+                                                      Surfaces& result, Mask& unusual,
+                                                      const LaneCounts& counts) {
   result.point = rays.at(hits.t);
   const Lanes objects(hits.object);
   unsigned left = bits_of(hit);
@@ -204,12 +207,12 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const 
     const Mask same = hit & (hits.object == Numbers(static_cast<double>(id)));
     left &= ~bits_of(same);
     if (first) {
-      fill(scene, scene.objects[id], hits.local, same, smooth, result, unusual);
+      fill(scene, options, scene.objects[id], hits.local, same, result, unusual, counts);
       continue;
     }
     Surfaces other;
     other.point = result.point;
-    fill(scene, scene.objects[id], hits.local, same, smooth, other, unusual);
+    fill(scene, options, scene.objects[id], hits.local, same, other, unusual, counts);
     result.normal = select(same, other.normal, result.normal);
     result.facing = select(same, other.facing, result.facing);
     result.height = select(same, other.height, result.height);
