@@ -13,12 +13,13 @@ std::string text(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "-";
 }
 
-// Threads are left out: they do not change the picture.
+// Without what does not change the picture: threads, instruction set, ShadingOptions::model_everything.
 std::string text(const RenderOptions& o) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", o.width, o.depth, o.shading.shadows,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", o.width, o.depth, o.shading.shadows,
                      o.shading.smooth_shading, o.shading.backface_culling, o.shading.internal_reflection,
-                     o.shading.backface_specular, o.antialiasing.enabled, o.antialiasing.supersamples,
-                     o.antialiasing.threshold, o.blocks.threshold, o.blocks.size);
+                     o.shading.backface_specular, o.shading.least_contribution, o.antialiasing.enabled,
+                     o.antialiasing.supersamples, o.antialiasing.threshold, o.blocks.threshold,
+                     o.blocks.size);
 }
 
 bool inputs_are_current(const Record& record, FileHashes& files) {

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "image/format.hpp"
+
 namespace trace {
 
 // 8-bit RGB picture: 3 bytes a pixel, rows from top to bottom.
@@ -29,6 +31,14 @@ struct ImageError : std::runtime_error {
 // alpha dropped. A PNG with a gAMA chunk is corrected to a screen of gamma 2.2; no other colour information
 // is heeded. Throws ImageError.
 Image read_image(const std::filesystem::path& path);
+
+// The same, with who decoded it and how long the file is.
+struct DecodedImage {
+  Image image;
+  Codec codec;
+  std::uint64_t file_bytes;
+};
+DecodedImage decode_image(const std::filesystem::path& path);
 
 // Writes by the extension: .png, .bmp, or any other that OpenImageIO knows. A file already there is replaced
 // whole or left as it was. At most `threads` threads share the work. Throws ImageError.

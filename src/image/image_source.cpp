@@ -1,6 +1,7 @@
 #include "image/image_source.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace trace {
 
@@ -15,7 +16,23 @@ std::vector<std::filesystem::path> ImageSource::list(const std::filesystem::path
 }
 
 SharedImage FileImages::read(const std::filesystem::path& file) {
-  return share(read_image(file));
+  const auto begin = std::chrono::steady_clock::now();
+  DecodedImage decoded = decode_image(file);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+  switch (decoded.codec) {
+    case Codec::png:
+      ++decoded_.by_libpng;
+      break;
+    case Codec::bmp:
+      ++decoded_.by_stb;
+      break;
+    case Codec::openimageio:
+      ++decoded_.by_openimageio;
+  }
+  decoded_.file_bytes += decoded.file_bytes;
+  decoded_.pixel_bytes += decoded.image.rgb.size();
+  decoded_.milliseconds += spent.count();
+  return share(std::move(decoded.image));
 }
 
 bool FileImages::exists(const std::filesystem::path& file) {

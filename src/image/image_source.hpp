@@ -32,11 +32,27 @@ class ImageSource {
                                                   std::error_code& error);
 };
 
+// Pictures that were decoded, and by whom.
+struct DecodedPictures {
+  std::uint64_t by_libpng = 0, by_stb = 0, by_openimageio = 0;
+  std::uint64_t file_bytes = 0;   // of their files
+  std::uint64_t pixel_bytes = 0;  // of what was decoded
+  double milliseconds = 0;        // reading and decoding
+
+  std::uint64_t count() const { return by_libpng + by_stb + by_openimageio; }
+};
+
 // Reads the file each time.
 class FileImages : public ImageSource {
  public:
   SharedImage read(const std::filesystem::path& file) override;
   bool exists(const std::filesystem::path& file) override;
+
+  // Those that read() has delivered.
+  const DecodedPictures& decoded() const { return decoded_; }
+
+ private:
+  DecodedPictures decoded_;
 };
 
 SharedImage share(Image image);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "loading/description_bytes.hpp"
 #include "parser/parse.hpp"
 #include "rendering/options.hpp"
 #include "rendering/render.hpp"
@@ -59,6 +60,7 @@ LoadedScene load_scene(const parser::Source& source, int width, ImageSource& ima
   parser::Scene description = parser::parse(source, diagnostics);
   source.release_memory();  // only messages need it now
   result.times.parse = watch.lap();
+  result.sizes = {source.text().size(), bytes_of(description)};
   if (!diagnostics.has_errors()) {
     const parser::Span span = aspect_span(description);
     result.scene = build_scene(std::move(description), source, images, diagnostics);
@@ -76,7 +78,7 @@ LoadedScene load_scene(const std::string& file, int width, ImageSource& images) 
   try {
     source = parser::Source::from_file(file);
   } catch (const std::runtime_error& e) {
-    return {std::nullopt, fmt::format("trace: error: {}\n", e.what()), {}};
+    return {std::nullopt, fmt::format("trace: error: {}\n", e.what()), {}, {}};
   }
   const double read = watch.lap();
   LoadedScene result = load_scene(*source, width, images);

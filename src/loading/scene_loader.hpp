@@ -17,10 +17,17 @@ struct LoadTimes {
   double build = 0;  // from description to scene
 };
 
+// And how many bytes they made.
+struct LoadSizes {
+  std::size_t text = 0;
+  std::size_t description = 0;  // bytes_of(parser::Scene)
+};
+
 struct LoadedScene {
   std::optional<Scene> scene;  // empty where there are errors
   std::string messages;        // errors and warnings with their places; may be empty
   LoadTimes times{};
+  LoadSizes sizes{};
 };
 
 // `width` is that of the picture, whose height the scene decides and which may be out of bounds.

@@ -23,6 +23,9 @@ class CubeMap {
   template <class T>
   glm::vec<3, T, glm::defaultp> lookup_in(const glm::vec<3, T, glm::defaultp>& direction) const;
 
+  // In the order above.
+  const std::vector<Texture>& faces() const { return faces_; }
+
  private:
   std::vector<Texture> faces_;
 };

@@ -1,5 +1,9 @@
 #include "scene/needs.hpp"
 
+#include <fmt/format.h>
+
+#include "scene/counting_lights.hpp"
+
 namespace trace {
 
 SceneNeeds needs_of(const Scene& scene) {
@@ -23,19 +27,27 @@ SceneNeeds needs_of(const Scene& scene) {
   return needs;
 }
 
-std::vector<std::string> left_out(const SceneNeeds& needs) {
-  std::vector<std::string> result;
-  const auto note = [&](bool needed, const char* what) {
-    if (!needed) result.emplace_back(what);
+std::vector<LeftOut> left_out(const Scene& scene, bool everything_modelled) {
+  const SceneNeeds needs = needs_of(scene);
+  std::vector<LeftOut> result;
+  const auto note = [&](bool needed, const char* what, const char* why) {
+    if (!needed) result.push_back({what, why});
   };
-  note(needs.transmission,
-       "refracted rays, and shadow rays behind their first hit (nothing lets light through)");
-  note(needs.reflection, "reflected rays (nothing mirrors)");
-  note(needs.highlights, "powers of highlights (nothing is specular)");
-  note(needs.maps, "texture maps and their decoders (no material has one)");
-  note(needs.surroundings, "lookups of surroundings (no cube map)");
-  note(needs.smooth_normals, "interpolated normals (no mesh has vertex normals)");
-  note(needs.vertex_materials, "mixed materials (no mesh has materials of its points)");
+  const bool all = everything_modelled;
+  note(all || needs.transmission, "refracted rays, and shadow rays behind their first hit",
+       "nothing lets light through");
+  note(all || needs.reflection, "reflected rays", "nothing mirrors");
+  note(all || needs.highlights, "powers of highlights", "nothing is specular");
+  note(all || needs.maps, "texture maps and their decoders", "no material has one");
+  note(!all || needs.maps, "decoders of texture maps", "no material has one");
+  note(all || needs.surroundings, "lookups of surroundings", "no cube map");
+  note(needs.smooth_normals, "interpolated normals", "no mesh has vertex normals");
+  note(needs.vertex_materials, "mixed materials", "no mesh has materials of its points");
+  if (all) return result;
+  for (const CulledLight& culled : lights_that_count(scene).culled) {
+    result.push_back({fmt::format("light {} of {}", culled.light + 1, scene.lights.size()),
+                      std::string(to_text(culled.why))});
+  }
   return result;
 }
 

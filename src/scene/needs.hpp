@@ -1,4 +1,21 @@
-// What a scene needs of the renderer, and what therefore is never done for it.
+// What a scene needs of the renderer, and what therefore is never built or computed for it.
+//
+// What is not modelled because it adds nothing, and where that is decided, for one ray and for packets
+// alike:
+//
+//   lights that change nothing in the whole scene           lights_that_count(), counting_lights.hpp
+//   shadow rays of surfaces that show nothing of a light    shade_locally(), shading/local_shading.cpp
+//   what shadow rays would meet behind their first hit      shadow_attenuation(), shading/shadow.cpp
+//   powers of highlights of no colour                       needs_highlight(), shading/local_shading.hpp
+//   mirrored and refracted rays of surfaces that do         WhittedTracer::trace(), shading/whitted.cpp
+//     neither
+//   lookups of surroundings that are black                  TracedScene::surroundings()
+//   materials through maps that they do not have            evaluates_maps(), shading/surface.hpp
+//   a hierarchy over a handful of objects                   SceneTree's `always_sorted`
+//
+// ShadingOptions::model_everything switches all of them off but the last, which is the hierarchy's. Then it
+// is all computed and thrown away: not multiplied by 0 and added, since 0 times infinity is undefined. Ray
+// trees are then full ones, with up to 2^depth rays at the last bounce.
 #pragma once
 
 #include <string>
@@ -20,7 +37,13 @@ struct SceneNeeds {
 
 SceneNeeds needs_of(const Scene& scene);
 
-// What is left out, each with its reason: "reflected rays (nothing mirrors)".
-std::vector<std::string> left_out(const SceneNeeds& needs);
+// "reflected rays", "nothing mirrors"
+struct LeftOut {
+  std::string what, why;
+};
+
+// All that is left out, lights that do not count last ("light 2 of 3"). Where everything is modelled, that is
+// only what cannot be made up: what meshes do not hold, and decoders.
+std::vector<LeftOut> left_out(const Scene& scene, bool everything_modelled);
 
 }  // namespace trace

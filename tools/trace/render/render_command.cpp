@@ -15,6 +15,7 @@
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/render/progress_line.hpp"
 #include "tools/trace/render/statistics.hpp"
+#include "tools/trace/text_output.hpp"
 
 namespace trace {
 namespace {
@@ -42,7 +43,7 @@ Exit status: 0 done, 1 the scene or a file it needs is wrong, 2 usage, 3 cannot 
 )";
 
 struct Arguments {
-  std::string scene, output, settings, cube_map;
+  std::string scene, output, settings, cube_map, stats_json;
   RenderOptions options;
   Budget budget;
   bool stats = false, quiet = false;
@@ -104,18 +105,28 @@ void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene)
   if (!scene.cube_map) say(arguments, fmt::format("warning: no cube map: {}", problem));
 }
 
+// Both forms of the report, if they are asked for.
+void report(const Statistics& statistics, const Arguments& arguments, TextOutput& json) {
+  if (arguments.stats) fmt::print(stderr, "{}", to_text(statistics));
+  if (json.wanted()) json.write(to_json(statistics));
+}
+
+int cannot_write(const std::string& problem) {
+  fmt::print(stderr, "trace: error: {}\n", problem);
+  return exit_cannot_write;
+}
+
 int run(Arguments& arguments) {
-  Statistics statistics;
+  StageClock clock;
   settle_openimageio(arguments.output, {arguments.scene, arguments.settings, arguments.cube_map});
   if (!apply_settings(arguments)) return exit_bad_input;
   std::optional<PictureFile> output;
   try {
     output.emplace(arguments.output);
   } catch (const ImageError& e) {
-    fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
-    return exit_cannot_write;
+    return cannot_write(fmt::format("cannot write '{}': {}", arguments.output, e.what()));
   }
-  statistics.lap(Stage::start);
+  clock.lap(Stage::start);
 
   FileImages images;
   LoadedScene loaded = load_scene(arguments.scene, arguments.options.width, images);
@@ -124,11 +135,19 @@ int run(Arguments& arguments) {
   if (!loaded.scene) return exit_bad_input;
   Scene& scene = *loaded.scene;
   add_cube_map(arguments, images, scene);
-  statistics.lap(Stage::load);
+  clock.lap(Stage::load);
 
+  // Not sooner: up to here the program may start over (image/start_over.hpp).
+  std::optional<TextOutput> stats_json;
+  try {
+    stats_json.emplace(arguments.stats_json);
+  } catch (const ImageError& e) {
+    return cannot_write(e.what());
+  }
   const int threads = arguments.options.threads = threads_or_all(arguments.options.threads);
-  const SceneTree tree(scene, threads, arguments.options.instruction_set);
-  statistics.lap(Stage::build);
+  const SceneTree tree(scene, threads, arguments.options.instruction_set,
+                       arguments.options.shading.model_everything);
+  clock.lap(Stage::build);
 
   Progress progress;
   Rendered rendered;
@@ -138,7 +157,7 @@ int run(Arguments& arguments) {
     if (arguments.budget.asked()) {
       Budget budget = arguments.budget;
       if (budget.seconds > 0)
-        budget.seconds -= statistics.seconds() + seconds_to_write(scene, arguments.options);
+        budget.seconds -= clock.seconds() + seconds_to_write(scene, arguments.options);
       WithinBudget within = render_within(budget, scene, tree, arguments.options, progress);
       rendered = std::move(within.rendered);
       outcome = within.outcome;
@@ -146,23 +165,26 @@ int run(Arguments& arguments) {
       rendered = render(scene, tree, arguments.options, progress);
     }
   }
-  statistics.lap(Stage::render);
+  clock.lap(Stage::render);
 
   try {
     output->write(rendered.image, threads);
   } catch (const ImageError& e) {
-    fmt::print(stderr, "trace: error: cannot write '{}': {}\n", arguments.output, e.what());
-    return exit_cannot_write;
+    return cannot_write(fmt::format("cannot write '{}': {}", arguments.output, e.what()));
   }
-  statistics.lap(Stage::write);
+  clock.lap(Stage::write);
   if (rendered.non_finite.count > 0 && !arguments.quiet) {
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene == "-" ? "<stdin>" : arguments.scene,
                to_text(rendered.non_finite));
   }
-  if (outcome) say(arguments, budget_text(arguments.budget, *outcome, statistics.seconds()));
-  if (arguments.stats)
-    fmt::print(stderr, "{}",
-               statistics.report(scene, tree, arguments.options.instruction_set, loaded.times, rendered));
+  if (outcome) say(arguments, budget_text(arguments.budget, *outcome, clock.seconds()));
+  if (!arguments.stats && !stats_json->wanted()) return exit_done;
+  try {
+    report(statistics_of(clock, loaded, images, tree, arguments.options, rendered, arguments.output),
+           arguments, *stats_json);
+  } catch (const ImageError& e) {
+    return cannot_write(e.what());
+  }
   return exit_done;
 }
 
@@ -215,7 +237,16 @@ int render_command(int argc, const char* const* argv) {
                  "baseline, sse4, avx2 or avx512 (default: the best there is; pictures are the same)")
       ->check(check_instruction_set)
       ->type_name("NAME");
-  app.add_flag("--stats", arguments.stats, "Report counts and times on standard error");
+  app.add_option("--least-contribution", options.shading.least_contribution,
+                 "End paths of mirrored and refracted rays that carry less (0 to 1; 0: none)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("X");
+  app.add_flag("--model-everything", options.shading.model_everything,
+               "Everything is modelled, needed or not; the picture is the same, only slower");
+  app.add_flag("--stats", arguments.stats,
+               "Report on standard error: what was needed, done and left out, times and bytes");
+  app.add_option("--stats-json", arguments.stats_json, "The same as JSON; - writes standard output")
+      ->type_name("FILE");
   app.add_flag("-q,--quiet", arguments.quiet, "No notes, warnings or progress");
   app.add_option("scene", arguments.scene, "The scene; - reads standard input")->required();
   app.add_option("output", arguments.output,
@@ -235,6 +266,7 @@ int render_command(int argc, const char* const* argv) {
   arguments.threads_given = threads->count() > 0;
   arguments.budget.fixed_depth = arguments.depth_given;
   if (options.depth < 0) options.depth = 0;
+  options.shading.count_work = arguments.stats || !arguments.stats_json.empty();
   if (const auto set = instruction_set_named(instruction_set)) options.instruction_set = *set;
   return run(arguments);
 }

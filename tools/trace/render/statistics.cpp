@@ -1,15 +1,13 @@
 #include "tools/trace/render/statistics.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "scene/needs.hpp"
+#include <algorithm>
 
 namespace trace {
 namespace {
 
-// "1 234 nodes, surface-area cost 20.1" of the hierarchy of the mesh with the most faces, or of the objects.
-std::string hierarchy_text(const Scene& scene, const SceneTree& tree) {
+std::optional<HierarchyStatistics> largest_hierarchy(const Scene& scene, const SceneTree& tree) {
   const Bvh* bvh = tree.is_list() ? nullptr : &tree.bvh();
   std::size_t most = 0;
   for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) {
@@ -18,47 +16,61 @@ std::string hierarchy_text(const Scene& scene, const SceneTree& tree) {
     most = faces;
     bvh = &tree.mesh(MeshId{i}).bvh();
   }
-  if (!bvh || bvh->nodes.empty()) return "none: a handful of objects is a list";
-  return fmt::format("{} nodes over {}, surface-area cost {:.1f}", bvh->nodes.size(),
-                     most > 0 ? fmt::format("{} faces", most) : "the objects", surface_area_cost(*bvh));
+  if (!bvh || bvh->nodes.empty()) return std::nullopt;
+  return HierarchyStatistics{bvh->nodes.size(), most, surface_area_cost(*bvh)};
 }
 
-std::string left_out_text(const Scene& scene) {
-  std::string text;
-  for (const std::string& what : left_out(needs_of(scene))) text += "left out " + what + "\n";
-  return text;
+std::optional<std::uint64_t> size_of_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+  const std::uint64_t size = std::filesystem::file_size(file, error);
+  if (error) return std::nullopt;
+  return size;
+}
+
+// What is left out beside what the scene's values say.
+void add_structures(std::vector<LeftOut>& list, const SceneTree& tree, InstructionSet set) {
+  if (tree.is_list()) list.push_back({"a hierarchy over the objects", "a handful of objects is a list"});
+  if (set == InstructionSet::baseline) list.push_back({"packets of rays", "the instruction set is baseline"});
 }
 
 }  // namespace
 
-void Statistics::lap(Stage stage) {
-  const Clock::time_point now = Clock::now();
-  milliseconds_[static_cast<std::size_t>(stage)] =
-      std::chrono::duration<double, std::milli>(now - last_).count();
-  last_ = now;
+double Statistics::scene_milliseconds() const {
+  return std::max(0.0, clock.milliseconds(Stage::load) - load.read - load.parse - decoded.milliseconds);
 }
 
-std::string Statistics::report(const Scene& scene, const SceneTree& tree, InstructionSet set,
-                               const LoadTimes& load, const Rendered& rendered) const {
+Statistics statistics_of(const StageClock& clock, const LoadedScene& loaded, const FileImages& images,
+                         const SceneTree& tree, const RenderOptions& options, const Rendered& rendered,
+                         const std::filesystem::path& output) {
+  const Scene& scene = *loaded.scene;
+  Statistics s;
+  s.objects = scene.objects.size();
+  s.triangles = scene.triangle_count();
+  s.lights = scene.lights.size();
+  s.textures = scene.textures.size();
+  s.needs = needs_of(scene);
+  s.everything_modelled = options.shading.model_everything;
+  s.left_out = left_out(scene, s.everything_modelled);
+  add_structures(s.left_out, tree, options.instruction_set);
+  if (!s.everything_modelled) s.culled_lights = lights_that_count(scene).culled;
+  s.instruction_set = options.instruction_set;
+  s.hierarchy = largest_hierarchy(scene, tree);
+  s.width = rendered.image.width;
+  s.height = rendered.image.height;
+  s.rays = rendered.rays;
+  s.decoded = images.decoded();
+  s.clock = clock;
+  s.load = loaded.times;
+  s.sizes = loaded.sizes;
+  s.scene_bytes = bytes_of(scene);
+  s.hierarchy_bytes = tree.bytes();
+  s.picture_bytes = rendered.image.rgb.size();
+  s.file_bytes = size_of_file(output);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto ms = [&](Stage stage) { return milliseconds_[static_cast<std::size_t>(stage)]; };
-  const RayCounts& rays = rendered.rays;
-  return fmt::format(
-      "scene    {} objects, {} triangles, {} lights, {} textures\n"
-      "picture  {} x {}\n"
-      "rays     {} primary, {} reflected, {} refracted, {} shadow\n"
-      "time     {:.1f} ms start, {:.1f} ms load ({:.1f} read, {:.1f} parse, {:.1f} scene), {:.1f} ms build, "
-      "{:.1f} ms render, {:.1f} ms write\n"
-      "memory   {:.1f} MB at most\n"
-      "kernels  {}\n"
-      "hierarchy {}\n"
-      "{}",
-      scene.objects.size(), scene.triangle_count(), scene.lights.size(), scene.textures.size(),
-      rendered.image.width, rendered.image.height, rays.primary, rays.reflected, rays.refracted, rays.shadow,
-      ms(Stage::start), ms(Stage::load), load.read, load.parse, load.build, ms(Stage::build),
-      ms(Stage::render), ms(Stage::write), static_cast<double>(usage.ru_maxrss) / 1024.0, name_of(set),
-      hierarchy_text(scene, tree), left_out_text(scene));
+  s.peak_bytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return s;
 }
 
 }  // namespace trace
