@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "precision/render_in.hpp"
+#include "precision/arithmetic.hpp"
 #include "rendering/options.hpp"
 #include "study/axis.hpp"
 

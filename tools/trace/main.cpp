@@ -10,16 +10,18 @@
 #include "tools/trace/diff/diff_command.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/render/render_command.hpp"
+#include "tools/trace/study/study_command.hpp"
 
 namespace {
 
 int run(int argc, char** argv) {
   const std::string_view command = argc > 1 ? argv[1] : "";
-  if (command != "batch" && command != "diff") return trace::render_command(argc, argv);
+  if (command != "batch" && command != "diff" && command != "study") return trace::render_command(argc, argv);
   // They may come upon a picture of any format when they have shown or written something.
   trace::settle_openimageio();
-  return command == "batch" ? trace::batch_command(argc - 1, argv + 1)
-                            : trace::diff_command(argc - 1, argv + 1);
+  if (command == "batch") return trace::batch_command(argc - 1, argv + 1);
+  if (command == "diff") return trace::diff_command(argc - 1, argv + 1);
+  return trace::study_command(argc - 1, argv + 1);
 }
 
 }  // namespace

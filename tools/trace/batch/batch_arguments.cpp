@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/shell_words.hpp"
 #include "tools/trace/tolerance_options.hpp"
 
 namespace trace {
@@ -25,21 +26,6 @@ The same command again does only what is missing or has changed.
 Exit status: 0 all rendered and within tolerance, 1 some beyond tolerance, 3 some not rendered, 4 usage;
 128 + N where signal N interrupted it.
 )";
-
-// As a shell would take it.
-std::string quoted(const std::string& word) {
-  const std::string harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
-  if (!word.empty() && word.find_first_not_of(harmless) == word.npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-std::string command_line(int argc, const char* const* argv) {
-  std::string text = "trace";
-  for (int i = 0; i < argc; ++i) text += " " + quoted(argv[i]);
-  return text;
-}
 
 void add_what(CLI::App& app, BatchArguments& a) {
   app.add_option("folder", a.folder, "The folder with the scenes, searched to the bottom")->required();

@@ -16,21 +16,15 @@
 #include "tools/trace/render/progress_line.hpp"
 #include "tools/trace/render/statistics.hpp"
 #include "tools/trace/text_output.hpp"
+#include "tools/trace/version.hpp"
 
 namespace trace {
 namespace {
 
-constexpr const char* version_text = "trace " TRACE_VERSION " (" TRACE_BUILD_TYPE
-                                     ", "
-#if defined(__clang__)
-                                     "clang " __clang_version__ ")";
-#else
-                                     "g++ " __VERSION__ ")";
-#endif
-
 constexpr const char* examples = R"(Other commands:
   trace batch DIR -o OUT     all scenes of a folder, compared with solutions (trace batch --help)
   trace diff A B             two pictures, or two folders of them (trace diff --help)
+  trace study SCENE...       what each setting costs and what it buys (trace study --help)
 
 Examples:
   trace scene.ray out.png                      512 pixels wide, five bounces
@@ -156,8 +150,7 @@ int run(Arguments& arguments) {
     const ProgressLine line(progress, !arguments.quiet);
     if (arguments.budget.asked()) {
       Budget budget = arguments.budget;
-      if (budget.seconds > 0)
-        budget.seconds -= clock.seconds() + seconds_to_write(scene, arguments.options);
+      if (budget.seconds > 0) budget.seconds -= clock.seconds() + seconds_to_write(scene, arguments.options);
       WithinBudget within = render_within(budget, scene, tree, arguments.options, progress);
       rendered = std::move(within.rendered);
       outcome = within.outcome;
