@@ -1,26 +1,19 @@
 #include "report/html.hpp"
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "image/atomic_file.hpp"
 #include "report/html_assets.hpp"
+#include "report/html_page.hpp"
 #include "report/html_pictures.hpp"
-#include "report/html_text.hpp"
 
 namespace trace {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string text_of(const Json& object, const char* key) {
-  const auto member = object.find(key);
-  return member != object.end() && member->is_string() ? member->get<std::string>() : "";
-}
+using html::text_of;
 
 bool identical(const Json& result) {
   const auto comparison = result.find("comparison");
@@ -50,38 +43,14 @@ bool is_batch_report(const Json& report) {
          report.value("version", 0) == 1 && report.contains("results") && report["results"].is_array();
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).parent_path();
-}
-
 }  // namespace
 
 void write_html_report(const Json& report, const std::filesystem::path& file, const HtmlOptions& options) {
   if (!is_batch_report(report)) throw std::invalid_argument("not a batch report of version 1");
-
-  AtomicFile target(file);
-  const auto out = [&](std::string_view text) {
-    target.write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  };
-  html::Pictures pictures(options.embed_pictures, folder_of(file));
-  const auto put = [&](std::string_view name) {
-    if (name == "title") out(html::escape(text_of(report, "title")));
-    if (name == "style") out(html::style());
-    if (name == "libraries") out(html::libraries());
-    if (name == "script") out(html::script());
-    if (name == "report") out(html::script_json(with_places(report, pictures)));
-    if (name == "pictures") pictures.write(out);  // last: the page can be used while they load
-  };
-
-  std::string_view rest = html::page();
-  for (std::size_t mark; (mark = rest.find("{{")) != rest.npos;) {
-    const std::size_t end = rest.find("}}", mark);
-    out(rest.substr(0, mark));
-    put(rest.substr(mark + 2, end - mark - 2));
-    rest.remove_prefix(end + 2);
-  }
-  out(rest);
-  target.commit();
+  html::Pictures pictures(options.embed_pictures, html::folder_of(file));
+  const html::Page page{text_of(report, "title"), "The same results are in results.json.",
+                        html::batch_style(), html::batch_script()};
+  html::write_page(page, with_places(report, pictures), pictures, file);
 }
 
 }  // namespace trace

@@ -1,10 +1,9 @@
-# Writes OUTPUT, the definitions of html_assets.hpp, from the page's files in assets/ and vendor/.
-# SCRIPTS, STYLES: our own files in order, separated by "|". Runs in src/report.
+# Writes OUTPUT, the definitions of html_assets.hpp, from the pages' files in assets/ and vendor/.
+# html_PAGE_scripts, html_PAGE_styles, for the pages batch and study: our own files in order, separated by "|". Runs in
+# src/report.
 cmake_minimum_required(VERSION 3.25)
 
 set(joined ${OUTPUT}.part)
-string(REPLACE "|" ";" scripts "${SCRIPTS}")
-string(REPLACE "|" ";" styles "${STYLES}")
 
 function(append_file file)
   file(READ ${file} text)
@@ -40,26 +39,32 @@ append_file(assets/page.html)
 finish_asset(page)
 
 append_licence(vendor/uplot/LICENSE)
-append_file(vendor/uplot/uPlot.min.css)
-append_licence(vendor/img-comparison-slider/LICENSE)
-append_file(vendor/img-comparison-slider/styles.css)
-foreach(file IN LISTS styles)
-  append_file(${file})
-endforeach()
-finish_asset(style)
-
-append_licence(vendor/uplot/LICENSE)
 append_file(vendor/uplot/uPlot.iife.min.js)
 append_licence(vendor/img-comparison-slider/LICENSE)
 append_file(vendor/img-comparison-slider/img-comparison-slider.js)
 finish_asset(libraries)
 
-file(APPEND ${joined} "(() => {\n\"use strict\";\n")
-foreach(file IN LISTS scripts)
-  append_file(${file})
+append_licence(vendor/uplot/LICENSE)
+append_file(vendor/uplot/uPlot.min.css)
+append_licence(vendor/img-comparison-slider/LICENSE)
+append_file(vendor/img-comparison-slider/styles.css)
+finish_asset(library_style)
+
+foreach(page IN ITEMS batch study)
+  string(REPLACE "|" ";" styles "${html_${page}_styles}")
+  foreach(file IN LISTS styles)
+    append_file(${file})
+  endforeach()
+  finish_asset(${page}_style)
+
+  string(REPLACE "|" ";" scripts "${html_${page}_scripts}")
+  file(APPEND ${joined} "(() => {\n\"use strict\";\n")
+  foreach(file IN LISTS scripts)
+    append_file(${file})
+  endforeach()
+  file(APPEND ${joined} "})();\n")
+  finish_asset(${page}_script)
 endforeach()
-file(APPEND ${joined} "})();\n")
-finish_asset(script)
 
 file(APPEND ${OUTPUT} "}  // namespace trace::html\n")
 file(REMOVE ${joined})

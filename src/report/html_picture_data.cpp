@@ -20,6 +20,18 @@ std::string kind(InputFile& file, const std::filesystem::path& path) {
   return format ? std::string(format->name) : "";
 }
 
+// FNV-1a with 64 bits (Fowler, Noll, Vo; draft-eastlake-fnv), and the length.
+struct Hash {
+  std::uint64_t value = 0xcbf29ce484222325u;
+  std::uint64_t size = 0;
+
+  void add(std::span<const std::uint8_t> bytes) {
+    for (const std::uint8_t byte : bytes) value = (value ^ byte) * 0x100000001b3u;
+    size += bytes.size();
+  }
+  std::string text() const { return fmt::format("{:016x}-{}", value, size); }
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> png_bytes(const std::filesystem::path& file) {
@@ -42,15 +54,17 @@ bool shown_by_browsers(const std::filesystem::path& file) {
 
 std::string fingerprint(const std::filesystem::path& file) {
   InputFile input(file);
-  // FNV-1a with 64 bits (Fowler, Noll, Vo; draft-eastlake-fnv), and the length.
-  std::uint64_t hash = 0xcbf29ce484222325u;
   std::array<std::uint8_t, 65536> buffer{};
-  std::uint64_t size = 0;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), input.stream())) {
-    for (std::size_t i = 0; i < count; ++i) hash = (hash ^ buffer[i]) * 0x100000001b3u;
-    size += count;
-  }
-  return fmt::format("{:016x}-{}", hash, size);
+  Hash hash;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), input.stream()))
+    hash.add(std::span(buffer).first(count));
+  return hash.text();
+}
+
+std::string fingerprint(std::span<const std::uint8_t> bytes) {
+  Hash hash;
+  hash.add(bytes);
+  return hash.text();
 }
 
 }  // namespace trace::html

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,6 @@ bool shown_by_browsers(const std::filesystem::path& file);
 // Tells files with different bytes apart, except by an unlikely accident; the same for the same bytes. Throws
 // ImageError.
 std::string fingerprint(const std::filesystem::path& file);
+std::string fingerprint(std::span<const std::uint8_t> bytes);
 
 }  // namespace trace::html

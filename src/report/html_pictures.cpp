@@ -24,7 +24,7 @@ std::size_t Pictures::number(const std::filesystem::path& file) {
     if (!first) return known->second = same->second;
   } catch (const ImageError&) {  // write() will say why
   }
-  embedded_.push_back(file);
+  embedded_.emplace_back(file);
   return known->second;
 }
 
@@ -37,15 +37,26 @@ nlohmann::ordered_json Pictures::place(const std::filesystem::path& file) {
   return {{"id", number(file)}};
 }
 
+nlohmann::ordered_json Pictures::place(std::span<const std::uint8_t> png) {
+  const auto [known, is_new] = by_content_.try_emplace(fingerprint(png), embedded_.size());
+  if (is_new) embedded_.emplace_back(png);
+  return {{"id", known->second}};
+}
+
 void Pictures::write(const std::function<void(std::string_view)>& out) const {
   for (std::size_t i = 0; i < embedded_.size(); ++i) {
     out(fmt::format("<script type=\"image/png\" id=\"picture-{}\"", i));
     try {
-      const auto bytes = png_bytes(embedded_[i]);
+      std::vector<std::uint8_t> read;
+      auto bytes = std::span<const std::uint8_t>();
+      if (const auto* file = std::get_if<std::filesystem::path>(&embedded_[i]))
+        bytes = read = png_bytes(*file);
+      else
+        bytes = std::get<1>(embedded_[i]);
       out(">");
       constexpr std::size_t piece = std::size_t{3} << 16;  // whole groups of base64
       for (std::size_t begin = 0; begin < bytes.size(); begin += piece)
-        out(base64(std::span(bytes).subspan(begin, std::min(piece, bytes.size() - begin))));
+        out(base64(bytes.subspan(begin, std::min(piece, bytes.size() - begin))));
     } catch (const ImageError& error) {
       out(fmt::format(" data-error=\"{}\">", escape(error.what())));
     }

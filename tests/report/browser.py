@@ -1,11 +1,14 @@
-"""A headless Chromium with the questions that the tests of the report ask it."""
+"""A headless Chromium with the questions that the tests of the reports ask it, and how such tests are run."""
 
 import json
 import os
+import pathlib
 import shutil
 import socket
 import sys
 import tempfile
+import time
+import traceback
 
 BROWSER = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
@@ -100,3 +103,45 @@ class Browser:
             if message["method"] == "Network.requestWillBeSent":
                 found.append(message["params"]["request"]["url"])
         return found
+
+    def escape(self):
+        """Presses Escape and gives the page time for what follows from it: closing is told after it has happened."""
+        self.press(Keys.ESCAPE)
+        for _ in range(100):
+            if self.run("return !document.querySelector('dialog[open]') && !document.querySelector('#detail > *')"):
+                return
+            time.sleep(0.02)
+
+
+def check(page, function, folder):
+    """Runs one test in a browser of a fresh page. True if it passed and the page complained of nothing."""
+    page.emulate()
+    page.size(1400, 1000)
+    try:
+        page.complaints(), page.requests()
+        function(page, folder)
+        complaints = page.complaints()
+        assert not complaints, complaints
+        outside = [url for url in page.requests() if not url.startswith(("file:", "data:", "blob:", "about:"))]
+        assert not outside, outside
+    except Exception:
+        page.screenshot(folder / f"failed_{function.__name__}.png")
+        print(f"FAILED: {function.__name__}")
+        traceback.print_exc(file=sys.stdout)
+        return False
+    print(f"passed: {function.__name__}")
+    return True
+
+
+def main(tests):
+    """The program of a file of tests: PROGRAM FOLDER [TEST...]"""
+    require()
+    folder = pathlib.Path(sys.argv[1])
+    names = sys.argv[2:]
+    page = Browser()
+    try:
+        passed = [check(page, function, folder) for function in tests if not names or function.__name__ in names]
+    finally:
+        page.close()
+    print(f"{sum(passed)} of {len(passed)} passed; screenshots in {folder}")
+    sys.exit(0 if passed and all(passed) else 1)

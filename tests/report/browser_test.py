@@ -1,16 +1,12 @@
-"""The HTML report in a browser: browser_test.py FOLDER
+"""The HTML report of a batch in a browser: browser_test.py FOLDER
 
 FOLDER has the pages of tests/report/browser_test.cpp: one.html (one renderer), two.html (two), linked.html
 (pictures beside it). Screenshots go there too. Exit status 0: all is well; 1: something is not; 77: no browser.
 """
 
-import pathlib
-import sys
 import time
-import traceback
 
 import browser
-from browser import Browser
 
 TESTS = []
 
@@ -44,15 +40,6 @@ def opened(page):
     """The scene whose details are open, or None."""
     return page.run("""const detail = document.getElementById("detail");
         return detail.open ? detail.querySelector("h2").lastChild.textContent : null""")
-
-
-def escape(page):
-    """Presses Escape and gives the page time for what follows from it: closing is told after it has happened."""
-    page.press(browser.Keys.ESCAPE)
-    for _ in range(100):
-        if page.run("return !document.querySelector('dialog[open]') && !document.querySelector('#detail > *')"):
-            return
-        time.sleep(0.02)
 
 
 def open_scene(page, scene):
@@ -138,14 +125,14 @@ def the_filter_leaves_what_matches(page, folder):
     page.press("normals TRI")
     assert [row["scene"] for row in rows(page)] == ["features/trimesh_normals.ray"]
     assert page.one("#count").text == "1 of 13 results"
-    escape(page)
+    page.escape()
     assert len(rows(page)) == 13
     page.press("/")
     page.press("shadows are")  # of the diagnosis
     assert [row["scene"] for row in rows(page)] == ["showcase/still_life.ray"]
     page.press(" nowhere")
     assert rows(page) == [] and "No result matches." in page.one("#list").text
-    escape(page)
+    page.escape()
     for verdict, word in (("crashed", "crashed"), ("identical", "identical")):
         page.one(f".chips [data-value={verdict}]").click()
         assert column(page, "Verdict") and set(column(page, "Verdict")) == {word}
@@ -256,7 +243,7 @@ def n_and_p_go_from_failure_to_failure(page, folder):
         assert opened(page) == scene, (opened(page), scene)
     page.press("p")
     page.wait("return document.querySelector('#detail h2').lastChild.textContent === arguments[0]", failures[-1])
-    escape(page)
+    page.escape()
     assert opened(page) is None
     focused = page.run("return document.activeElement.textContent")
     assert focused == failures[-1], focused
@@ -268,7 +255,7 @@ def help_opens_and_closes(page, folder):
     page.load(folder / "one.html")
     page.press("?")
     assert "Next failure" in page.one("#help").text
-    escape(page)
+    page.escape()
     assert not page.run("return document.getElementById('help').open")
 
 
@@ -295,7 +282,7 @@ def details_tell_figures_messages_and_times(page, folder):
     text = page.one("#detail").text
     for part in ("Reflection is missing", "RMSE", "PSNR", "Largest difference", "Foreground", "Time"):
         assert part in text, part
-    escape(page)
+    page.escape()
     page.wait("return !document.getElementById('detail').open")
     open_scene(page, "wrong.ray")
     message = page.one("#detail pre").text
@@ -308,7 +295,7 @@ def broken_pictures_and_markup_in_names_do_no_harm(page, folder):
     page.load(folder / "one.html")
     open_scene(page, "features/groups.ray")
     page.wait("return document.querySelectorAll('.stage img, .stage .no-picture').length >= 2")
-    escape(page)
+    page.escape()
     open_scene(page, "</script><img src=x onerror=alert(1)>.ray")
     assert page.run("return document.querySelectorAll('[onerror]').length") == 0
 
@@ -366,7 +353,7 @@ def charts_are_drawn_and_their_points_open_scenes(page, folder):
     page.actions().move_to_element_with_offset(over, round(at[0]), round(at[1])).click().perform()
     page.wait("return document.getElementById('detail').open")
     assert found.startswith(opened(page) + ":"), found
-    escape(page)
+    page.escape()
     links = page.run("""document.querySelector(".points").open = true;
         return [...document.querySelectorAll(".points a")].map((a) => a.textContent)""")
     assert len(links) == 8 and "showcase/still_life.ray" in links, links
@@ -396,7 +383,7 @@ def several_renderers_are_columns(page, folder):
     page.wait("return document.getElementById('detail').open")
     assert "timed out" in page.one("#detail").text
     assert len(page.all(".renderers a")) == 2
-    escape(page)
+    page.escape()
     page.screenshot(folder / "two.png")
     page.one("[aria-label=Form] [data-value=list]").click()
     assert len(rows(page)) == 26
@@ -457,39 +444,5 @@ def pictures_far_away_are_not_decoded(page, folder):
     page.wait("return document.querySelectorAll('.thumb img').length > arguments[0]", made)
 
 
-def check(function, folder):
-    """Runs one test in a browser of a fresh page. True if it passed and the page complained of nothing."""
-    page = check.browser
-    page.emulate()
-    page.size(1400, 1000)
-    try:
-        page.complaints(), page.requests()
-        function(page, folder)
-        complaints = page.complaints()
-        assert not complaints, complaints
-        outside = [url for url in page.requests() if not url.startswith(("file:", "data:", "blob:", "about:"))]
-        assert not outside, outside
-    except Exception:
-        page.screenshot(folder / f"failed_{function.__name__}.png")
-        print(f"FAILED: {function.__name__}")
-        traceback.print_exc(file=sys.stdout)
-        return False
-    print(f"passed: {function.__name__}")
-    return True
-
-
-def main():
-    browser.require()
-    folder = pathlib.Path(sys.argv[1])
-    names = sys.argv[2:]
-    check.browser = Browser()
-    try:
-        passed = [check(function, folder) for function in TESTS if not names or function.__name__ in names]
-    finally:
-        check.browser.close()
-    print(f"{sum(passed)} of {len(passed)} passed; screenshots in {folder}")
-    sys.exit(0 if passed and all(passed) else 1)
-
-
 if __name__ == "__main__":
-    main()
+    browser.main(TESTS)

@@ -3,7 +3,8 @@
 
 const chartFont = "12px system-ui, sans-serif";
 
-// draw(width) makes a uPlot in `place`; it is made anew when the width or the theme changes.
+// draw(width) makes a uPlot in `place`; it is made anew when the width or the theme changes. The result is a function
+// that ends this.
 function keepDrawn(place, draw) {
   let plot = null;
   let width = 0;
@@ -11,13 +12,20 @@ function keepDrawn(place, draw) {
     if (plot) plot.destroy();
     plot = width > 0 ? draw(width) : null;
   };
-  new ResizeObserver(() => {
+  const observer = new ResizeObserver(() => {
     const now = Math.floor(place.clientWidth);
     if (now === width) return;
     width = now;
     again();
-  }).observe(place);
-  themeChanged.push(again);
+  });
+  observer.observe(place);
+  themeChanged.add(again);
+  return () => {
+    observer.disconnect();
+    themeChanged.delete(again);
+    if (plot) plot.destroy();
+    plot = null;
+  };
 }
 
 function chartAxis(options) {
@@ -47,12 +55,4 @@ function decadeSplits(low, high) {
   const marks = [];
   for (let power = first; power <= last; power += step) marks.push(10 ** power);
   return marks;
-}
-
-function buildCharts() {
-  const section = document.getElementById("charts");
-  if (results.length < 2) return section.remove();
-  const made = [histogramFigure(), scatterFigure()].filter((chart) => chart);
-  if (made.length) section.append(...made);
-  else section.remove();
 }

@@ -68,3 +68,7 @@ function selection(label, choices, value, chosen) {
   select.value = value;
   return element("label", { class: "field" }, element("span", {}, label), select);
 }
+
+// [[name, text], null, ...] as a list.
+const termList = (terms) => element("dl", {},
+  ...terms.filter((term) => term).flatMap(([name, text]) => [element("dt", {}, name), element("dd", {}, text)]));

@@ -1,7 +1,5 @@
 // Pictures of the report as <img>. Nothing is decoded before it is to be seen.
 
-const roles = [["picture", "Rendered"], ["solution", "Solution"], ["heat", "Heat map"]];
-const roleName = new Map(roles);
 const urls = new Map();  // of embedded pictures, by number
 
 const documentRead = new Promise((done) => {

@@ -1,14 +1,17 @@
-// The large pictures of one result: swiped, blinking, or side by side.
+// The large pictures of one result: swiped, blinking, or side by side. `places` has them by role. With `stretch` they
+// are shown as large as the largest, whatever their sizes.
 
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 const blinkPeriod = 600;  // milliseconds a picture
 
+const roleName = new Map(roles);  // a page's own: [[role, name], ...]
+
 // What the reader chose stays while going from scene to scene.
-const viewing = { mode: "swipe", other: "solution", zoom: "fit" };
+const viewing = { mode: "swipe", other: roles[1][0], zoom: "fit" };
 
 function otherRole(result) {
   if (result.places[viewing.other]) return viewing.other;
-  return ["solution", "heat"].find((role) => result.places[role]) || null;
+  return roles.map(([role]) => role).slice(1).find((role) => result.places[role]) || null;
 }
 
 const stagePicture = (result, role) => picture(result.places[role], roleName.get(role));
@@ -22,7 +25,7 @@ function fitScale(frame, images) {
 }
 
 // Side by side they fit by the style sheet alone.
-async function applyZoom(frame) {
+async function applyZoom(frame, stretch) {
   frame.dataset.zoom = viewing.zoom;
   const images = [...frame.querySelectorAll("img")];
   const loaded = (image) => image.complete && image.naturalWidth ||
@@ -30,7 +33,8 @@ async function applyZoom(frame) {
   await Promise.all(images.map(loaded));
   const alone = viewing.zoom === "fit" && frame.querySelector(".beside");
   const scale = alone ? null : viewing.zoom === "fit" ? fitScale(frame, images) : Number(viewing.zoom);
-  for (const image of images) image.style.width = scale ? `${image.naturalWidth * scale}px` : "";
+  const widest = Math.max(...images.map((image) => image.naturalWidth));
+  for (const image of images) image.style.width = scale ? `${(stretch ? widest : image.naturalWidth) * scale}px` : "";
 }
 
 function swipeView(result, role) {
@@ -39,7 +43,7 @@ function swipeView(result, role) {
   right.slot = "second";
   const slider = element("img-comparison-slider", { tabindex: "0", role: "slider", "aria-valuemin": 0,
     "aria-valuemax": 100, "aria-valuenow": 50,
-    "aria-label": `Rendered on the left, ${roleName.get(role)} on the right; the arrow keys move the border` }, left, right);
+    "aria-label": `${roleName.get("picture")} on the left, ${roleName.get(role)} on the right; the arrow keys move the border` }, left, right);
   slider.addEventListener("slide", () => slider.setAttribute("aria-valuenow", Math.round(slider.value)));
   return element("div", { class: "swipe" }, slider,
     element("span", { class: "side left" }, roleName.get("picture")), element("span", { class: "side right" }, roleName.get(role)));

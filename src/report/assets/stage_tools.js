@@ -11,7 +11,7 @@ function openStage(result) {
     view = stageView(result);
     frame.dataset.mode = viewing.mode;
     frame.replaceChildren(view);
-    applyZoom(frame);
+    applyZoom(frame, result.stretch);
   };
 
   const setMode = (mode) => {
@@ -37,11 +37,11 @@ function openStage(result) {
   const zoom = selection("Size", [["fit", "Fit"], ["1", "1\u00d7"], ["2", "2\u00d7"], ["4", "4\u00d7"], ["8", "8\u00d7"]],
     viewing.zoom, (value) => {
       viewing.zoom = value;
-      applyZoom(frame);
+      applyZoom(frame, result.stretch);
     });
 
   requestAnimationFrame(show);  // when the frame is in the page and has a width
-  stage = { blink, close, fit: () => applyZoom(frame) };
+  stage = { blink, close, fit: () => applyZoom(frame, result.stretch) };
   const comparable = overlaid(result) && others.length;
   return element("div", { class: "pictures" },
     element("div", { class: "bar" }, comparable ? modes : null, comparable && others.length > 1 ? other : null, zoom),

@@ -29,10 +29,8 @@ function count(number, singular, plural = `${singular}s`) {
   return `${number.toLocaleString("en")} ${number === 1 ? singular : plural}`;
 }
 
-// The first line that says something, of a diagnostic.
-const firstLine = (text) => (text || "").split("\n").find((line) => line.trim()) || "";
-
-// Why a result is what it is, in one line.
-function explain(result) {
-  return result.explanation || firstLine(result.message) || result.reason;
+// When a report was begun, in the reader's time; null where that is no date.
+function startedText(started) {
+  const date = new Date(started);
+  return isNaN(date) ? null : date.toLocaleString("en-GB", { dateStyle: "medium", timeStyle: "short" });
 }

@@ -1,7 +1,7 @@
 // Dark or light: as the system says unless the reader chose. The choice is remembered where the browser lets
 // a page from disk do that.
 
-const themeChanged = [];  // functions to call
+const themeChanged = new Set();  // functions to call
 const systemDark = matchMedia("(prefers-color-scheme: dark)");
 
 function chosenTheme() {

@@ -1,4 +1,4 @@
-// The list's tools, and the start.
+// The list's tools, the charts above it, and the start.
 
 const place = document.getElementById("results");
 const body = element("div", { id: "list" });
@@ -53,6 +53,14 @@ function toolbar() {
     severalRenderers ? selection("Renderer", named, "all", want("renderer")) : null,
     sortField,
     severalRenderers ? choice("Form", forms, form, setForm) : null);
+}
+
+function buildCharts() {
+  const section = document.getElementById("charts");
+  if (results.length < 2) return section.remove();
+  const made = [histogramFigure(), scatterFigure()].filter((chart) => chart);
+  if (made.length) section.append(...made);
+  else section.remove();
 }
 
 buildHeader();

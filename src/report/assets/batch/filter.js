@@ -16,15 +16,6 @@ const sortKeys = {
 // Clicking these first shows the largest on top.
 const largestFirst = new Set(["error", "pixels", "flip", "largest", "time"]);
 
-const nameOrder = new Intl.Collator("en", { numeric: true });
-
-function compareValues(a, b, descending) {
-  const none = (value) => value === null || value === undefined;
-  if (none(a) || none(b)) return none(a) - none(b);
-  const order = typeof a === "string" ? nameOrder.compare(a, b) : a - b;
-  return descending ? -order : order;
-}
-
 function compareResults(a, b) {
   const key = sortKeys[wanted.sort];
   return compareValues(key(a), key(b), wanted.descending) || b.failed - a.failed ||

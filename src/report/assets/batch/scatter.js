@@ -38,38 +38,8 @@ function drawMarks(plot, data) {
   context.restore();
 }
 
-// The result within 12 pixels of the pointer, or null.
-function nearest(plot, data, event) {
-  const box = plot.over.getBoundingClientRect();
-  let best = null, least = 12;
-  for (const result of data.plotted) {
-    const distance = Math.hypot(plot.valToPos(result.seconds, "x") - (event.clientX - box.left),
-      plot.valToPos(data.height(result), "y") - (event.clientY - box.top));
-    if (distance < least) [best, least] = [result, distance];
-  }
-  return best;
-}
-
-function addPointer(plot, data) {
-  const tip = element("div", { class: "tip", hidden: true });
-  plot.over.append(tip);
-  plot.over.addEventListener("mousemove", (event) => {
-    const result = nearest(plot, data, event);
-    tip.hidden = !result;
-    plot.over.style.cursor = result ? "pointer" : "default";
-    if (!result) return;
-    tip.textContent = `${result.scene}${severalRenderers ? `, ${result.renderer}` : ""}: RMSE ${figure(result.error)}, ${duration(result.seconds)}`;
-    const x = plot.valToPos(result.seconds, "x");
-    tip.classList.toggle("left", x > plot.over.clientWidth / 2);
-    tip.style.left = `${x}px`;
-    tip.style.top = `${plot.valToPos(data.height(result), "y")}px`;
-  });
-  plot.over.addEventListener("mouseleave", () => (tip.hidden = true));
-  plot.over.addEventListener("click", (event) => {
-    const result = nearest(plot, data, event);
-    if (result) location.hash = addressOf(result);
-  });
-}
+const scatterText = (result) =>
+  `${result.scene}${severalRenderers ? `, ${result.renderer}` : ""}: RMSE ${figure(result.error)}, ${duration(result.seconds)}`;
 
 const axisDuration = (seconds) => (seconds < 1 ? `${+(seconds * 1000).toPrecision(1)} ms` : `${seconds} s`);
 
@@ -89,7 +59,11 @@ function drawScatter(place, width, data) {
     series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [(drawn) => drawMarks(drawn, data)] },
   }, [data.plotted.map((result) => result.seconds), data.plotted.map(data.height)], place);
-  addPointer(plot, data);
+  addPointer(plot, {
+    marks: () => data.plotted.map((result) => ({ x: result.seconds, y: data.height(result), result })),
+    text: ({ result }) => scatterText(result),
+    open: ({ result }) => (location.hash = addressOf(result)),
+  });
   return plot;
 }
 

@@ -1,7 +1,4 @@
-// One result, over the page. It is open while the page's address names it.
-
-const detail = document.getElementById("detail");
-let opened = null;  // the result
+// What the dialog shows of one result.
 
 function otherRenderers(result) {
   if (!severalRenderers) return null;
@@ -34,8 +31,6 @@ function explanations(result) {
 }
 
 function fillDetail(result) {
-  if (stage) stage.close();
-  stage = null;
   const pictures = Object.keys(result.places).length
     ? openStage(result)
     : element("p", { class: "pictures muted" }, "There is no picture.");
@@ -44,36 +39,4 @@ function fillDetail(result) {
       element("div", { class: "main" }, ...explanations(result), pictures, cropsSection(result) || ""),
       factsSection(result)));
   detail.scrollTop = 0;
-}
-
-function showDetail(result) {
-  opened = result;
-  fillDetail(result);
-  if (!detail.open) detail.showModal();
-  document.getElementById("detail-name").focus();
-}
-
-function closeDetail() {
-  if (detail.open) detail.close();
-}
-
-// However it was closed, by Escape too: the address no longer names it, and its row is where one was.
-// Unless by now another has been asked for.
-detail.addEventListener("close", () => {
-  if (detail.open) return;
-  if (stage) stage.close();
-  stage = null;
-  detail.replaceChildren();
-  if (opened && location.hash === addressOf(opened))
-    history.replaceState(null, "", location.pathname + location.search);
-  const link = opened && document.querySelector(`#results a[href="${CSS.escape(addressOf(opened))}"]`);
-  opened = null;
-  if (link) link.focus();
-});
-
-function followAddress() {
-  const result = resultsByAddress.get(location.hash);
-  if (result && result === opened) return;
-  if (result) showDetail(result);
-  else if (opened) closeDetail();
 }

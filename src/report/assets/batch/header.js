@@ -8,15 +8,10 @@ function headline() {
   return ["pass", results.length === 1 ? "The only result passes" : `All ${count(results.length, "result")} pass`];
 }
 
-function startedText() {
-  const started = new Date(report.started);
-  return isNaN(started) ? null : started.toLocaleString("en-GB", { dateStyle: "medium", timeStyle: "short" });
-}
-
 function factLine() {
   const scenes = new Set(results.map((result) => result.scene)).size;
   const facts = [count(scenes, "scene"), severalRenderers ? count(renderers.length, "renderer") : null,
-    duration(report.seconds), startedText()];
+    duration(report.seconds), startedText(report.started)];
   return element("p", { class: "facts" }, facts.filter((fact) => fact).join(" \u00b7 "));
 }
 

@@ -1,5 +1,8 @@
 // The report's data, with what the page needs to know of each result.
 
+// The pictures of a result, as the stage shows them: the first is compared with the others.
+const roles = [["picture", "Rendered"], ["solution", "Solution"], ["heat", "Heat map"]];
+
 const report = JSON.parse(document.getElementById("report").textContent);
 
 // What can have come of a scene, worst first: the outcome, or the verdict where there is a picture.
@@ -57,3 +60,11 @@ const severalRenderers = renderers.length > 1;
 const addressOf = (result) =>
   "#" + encodeURIComponent(result.scene) + (severalRenderers ? "@" + renderers.indexOf(result.renderer) : "");
 const resultsByAddress = new Map(results.map((result) => [addressOf(result), result]));
+
+// The first line that says something, of a diagnostic.
+const firstLine = (text) => (text || "").split("\n").find((line) => line.trim()) || "";
+
+// Why a result is what it is, in one line.
+function explain(result) {
+  return result.explanation || firstLine(result.message) || result.reason;
+}

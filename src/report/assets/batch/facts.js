@@ -71,9 +71,6 @@ function runTerms(result) {
   ].map((term) => (term[1] ? term : null));
 }
 
-const termList = (terms) => element("dl", {},
-  ...terms.filter((term) => term).flatMap(([name, text]) => [element("dt", {}, name), element("dd", {}, text)]));
-
 function factsSection(result) {
   const { measured, comparison } = result;
   const tolerance = comparison && comparison.tolerance && toleranceText(comparison.tolerance);
