@@ -54,7 +54,9 @@ DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOp
     result.steps.push_back({at_depth.depth, 0, static_cast<double>(rays) / samples, spent.count() / samples});
     colors.push_back(std::move(seen));
     if (rung > 0) result.left = difference(colors[rung], colors[rung - 1]);
-    if (rung > 0 && rays == rays_before) {
+    if (rung > 0 && rays == rays_before) {  // no ray was left to go deeper: this step is the one before
+      result.steps.pop_back();
+      colors.pop_back();
       result.left = 0;
       break;
     }

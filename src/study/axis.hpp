@@ -6,7 +6,17 @@
 
 namespace trace {
 
-enum class Axis { samples, adaptive, course_adaptive, depth, contribution, resolution, arithmetic, needs };
+enum class Axis {
+  samples,
+  adaptive,
+  budget,
+  course_adaptive,
+  depth,
+  contribution,
+  resolution,
+  arithmetic,
+  needs
+};
 
 struct AxisText {
   Axis axis;
@@ -15,7 +25,7 @@ struct AxisText {
   std::string_view text;
 };
 
-inline constexpr std::array<AxisText, 8> axis_texts{{
+inline constexpr std::array<AxisText, 9> axis_texts{{
     {Axis::samples, "samples", "Samples a pixel",
      "the same number of samples in every pixel: one at its corner, as the course draws, then n x n in the "
      "middles of equal "
@@ -24,6 +34,10 @@ inline constexpr std::array<AxisText, 8> axis_texts{{
      "one sample at each corner, then n x n where the corners differ, n by how much; the number is about the "
      "error in levels "
      "that is left in a pixel on an edge"},
+    {Axis::budget, "budget", "Error budget",
+     "the fastest setting that is predicted to be off by at most so many levels; what predicting takes is "
+     "part of the "
+     "time"},
     {Axis::course_adaptive, "course", "The course's antialiasing",
      "n x n samples in pixels that differ from a neighbour by more than a threshold, in thousandths"},
     {Axis::depth, "depth", "Recursion depth", "bounces of reflection and refraction, one sample a pixel"},

@@ -46,6 +46,26 @@ Claim claim(const std::string& text, const GeometricMean& mean) {
   return {text, mean.value(), mean.low(), mean.high(), mean.count()};
 }
 
+// What is known of an error is subtracted in favour of neither: it counts as measured.
+std::vector<BudgetKept> kept_budgets(std::span<const SceneResult> scenes) {
+  std::vector<BudgetKept> result;
+  for (const SceneResult& scene : scenes) {
+    for (const SettingResult& own : scene.settings) {
+      const double asked = own.setting.error_budget;
+      if (asked == 0) continue;
+      auto line =
+          std::find_if(result.begin(), result.end(), [&](const BudgetKept& b) { return b.asked == asked; });
+      if (line == result.end()) line = result.insert(result.end(), {asked});
+      const double times = own.error.root_mean_square / asked;
+      ++line->scenes;
+      line->within += times <= 1;
+      line->nearly += times <= 1.5;
+      line->worst = std::max(line->worst, times);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 double speed_up_at_equal_error(const SceneResult& scene, Axis axis) {
@@ -122,6 +142,7 @@ Overall overall(std::span<const SceneResult> scenes) {
   add_claim("the course's antialiasing against uniform sampling of the same error", course);
   add_claim("modelling only what a scene needs against modelling everything, at the same picture", needs);
   add_claim("a plain tracer in float against the same in double", single);
+  result.budgets = kept_budgets(scenes);
   return result;
 }
 

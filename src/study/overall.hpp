@@ -24,10 +24,20 @@ struct Claim {
   std::size_t scenes = 0;
 };
 
+// How often an error budget was kept.
+struct BudgetKept {
+  double asked = 0;  // levels
+  std::size_t scenes = 0;
+  std::size_t within = 0;  // off by at most what was asked
+  std::size_t nearly = 0;  // by at most 1.5 times that, what was kept among them
+  double worst = 0;        // times what was asked
+};
+
 struct Overall {
   std::size_t scenes = 0;  // that were studied
   std::vector<OverallSetting> settings;
   std::vector<Claim> claims;
+  std::vector<BudgetKept> budgets;
 };
 
 // Errors below the converged picture's own count as that; scenes whose base setting is no more than that off

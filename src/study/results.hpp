@@ -2,20 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "report/study_html.hpp"
 #include "shading/ray_counts.hpp"
 #include "study/picture_error.hpp"
 #include "study/setting.hpp"
 #include "study/timing.hpp"
 
 namespace trace {
-
-// Pictures by the name under which results mention them, as PNG files.
-using NamedPictures = std::map<std::string, std::vector<std::uint8_t>>;
 
 struct SolutionError {
   double root_mean_square = 0;

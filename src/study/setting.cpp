@@ -30,6 +30,14 @@ class Ladders {
     }
   }
 
+  void budget() {
+    for (const double levels : {4.0, 2.0, 1.0, 0.5, 0.25}) {
+      add(fmt::format("budget {:g}", levels), Axis::budget,
+          fmt::format("an error of at most {:g} levels", levels), fmt::format("--error-budget {:g}", levels))
+          .error_budget = levels;
+    }
+  }
+
   void course_adaptive() {
     struct Step {
       int n, threshold;
@@ -94,7 +102,7 @@ class Ladders {
  private:
   Setting& add(std::string name, Axis axis, std::string text, std::string flags) {
     settings_.push_back(
-        {std::move(name), axis, std::move(text), std::move(flags), scene_.options, 1, std::nullopt});
+        {std::move(name), axis, std::move(text), std::move(flags), scene_.options, 0, 1, std::nullopt});
     return settings_.back();
   }
 
@@ -109,6 +117,7 @@ std::vector<Setting> ladders(const LadderScene& scene, const std::vector<Axis>& 
   Ladders result(scene);
   result.samples();
   if (wanted(Axis::adaptive)) result.adaptive();
+  if (wanted(Axis::budget)) result.budget();
   if (wanted(Axis::course_adaptive)) result.course_adaptive();
   if (wanted(Axis::depth)) result.depth();
   if (wanted(Axis::contribution)) result.contribution();

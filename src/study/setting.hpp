@@ -17,6 +17,7 @@ struct Setting {
   std::string text;   // a clause that says what it is
   std::string flags;  // of `trace` beside -r, where they can say it
   RenderOptions options;
+  double error_budget = 0;               // levels; above 0: the picture for so much error
   int divisor = 1;                       // of the width; the picture is enlarged to it again
   std::optional<Arithmetic> arithmetic;  // by the plain tracer in this kind of number
 };

@@ -9,6 +9,8 @@
 #include "comparison/measure.hpp"
 #include "image/png.hpp"
 #include "loading/scene_loader.hpp"
+#include "rendering/budget.hpp"
+#include "rendering/film.hpp"
 #include "rendering/render.hpp"
 #include "study/converged.hpp"
 #include "study/front.hpp"
@@ -54,6 +56,7 @@ class SceneStudy {
         base_(what.options) {
     base_.threads = threads_or_all(options.threads);
     tree_.emplace(scene_, base_.threads, base_.instruction_set);
+    sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
   }
 
   SceneResult study() {
@@ -122,8 +125,12 @@ class SceneStudy {
       return result;
     }
     Progress progress;
+    const SceneTree& tree = options.shading.model_everything ? *sorted_tree_ : *tree_;
     const auto begin = Clock::now();
-    Rendered rendered = render(scene_, *tree_, options, progress);
+    Rendered rendered = setting.error_budget > 0 ? render_within({setting.error_budget, 0, what_.fixed_depth},
+                                                                 scene_, tree, options, progress)
+                                                       .rendered
+                                                 : render(scene_, tree, options, progress);
     result.milliseconds = milliseconds_since(begin);
     result.rays = rendered.rays;
     result.image = std::move(rendered.image);
@@ -257,7 +264,7 @@ class SceneStudy {
   NamedPictures& pictures_;
   Scene scene_;
   RenderOptions base_;
-  std::optional<SceneTree> tree_;
+  std::optional<SceneTree> tree_, sorted_tree_;  // the second for where everything is modelled
   Converged truth_;
   std::optional<Raster> solution_;
   Image base_image_;

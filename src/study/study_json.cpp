@@ -167,7 +167,19 @@ Json overall_json(const Overall& all) {
                       {"high", claim.high},
                       {"scenes", claim.scenes}});
   }
-  return {{"scenes", all.scenes}, {"results", results}, {"fastest", fastest}, {"claims", claims}};
+  Json budgets = Json::array();
+  for (const BudgetKept& own : all.budgets) {
+    budgets.push_back({{"asked", own.asked},
+                       {"scenes", own.scenes},
+                       {"within", own.within},
+                       {"nearly", own.nearly},
+                       {"worst", own.worst}});
+  }
+  return {{"scenes", all.scenes},
+          {"results", results},
+          {"fastest", fastest},
+          {"claims", claims},
+          {"budgets", budgets}};
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "batch/record.hpp"
 #include "parallel/parallel.hpp"
-#include "report/plain_text.hpp"
 #include "report/study_csv.hpp"
 #include "report/study_html.hpp"
 #include "report/study_svg.hpp"

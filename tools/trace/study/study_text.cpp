@@ -72,6 +72,13 @@ std::string overall_text(const Overall& all) {
     text += fmt::format("{}: {:.2f} times as fast ({:.2f} to {:.2f}, {} scenes)\n", claim.text, claim.times,
                         claim.low, claim.high, claim.scenes);
   }
+  for (const BudgetKept& own : all.budgets) {
+    text += fmt::format(
+        "error budget of {:g}: kept in {} of {} scenes, within 1.5 times in {} ({:.1f} %), {:.2f} times at "
+        "worst\n",
+        own.asked, own.within, own.scenes, own.nearly,
+        100.0 * static_cast<double>(own.nearly) / static_cast<double>(own.scenes), own.worst);
+  }
   return text;
 }
 
