@@ -113,12 +113,15 @@ TEST_CASE("no ray in floats is lost between the boxes of a fine mesh") {
       mesh.faces.push_back({a + 1, a + side + 1, a + side});
     }
   }
-  for (const double coordinate : {0.0, 500.0}) {
+  for (const double coordinate : {0.0, 500.37}) {
     INFO(coordinate);
+    const Vec3 offset(coordinate, 0.7 * coordinate, -0.4 * coordinate);
+    Mesh placed = mesh;
+    for (Vec3& p : placed.points) p += offset;
+    const Mat4 place = turned(0.3, 0.3, 0.2, 1);
     Scene scene;
-    scene.camera.eye = Vec3(coordinate, coordinate, coordinate + 6);
-    add(scene, mesh, moved(coordinate, coordinate, coordinate) * turned(0.3, 0.3, 0.2, 1) * moved(-5, -5, 0),
-        emissive(Rgb(1)));
+    scene.camera.eye = Vec3(place * Vec4(offset + Vec3(5, 5, 0), 1)) + Vec3(0, 0, 6);
+    add(scene, placed, place, emissive(Rgb(1)));
     const RenderOptions options = of_width(128);
     const auto dark = [&](Arithmetic arithmetic) {
       const ArithmeticPicture picture = render_in(arithmetic, scene, options, 1);

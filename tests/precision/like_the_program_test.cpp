@@ -34,7 +34,7 @@ Mesh octahedron() {
 }  // namespace
 
 // Where an edge passes within a rounding of a ray the two may differ, so one pixel of a scene (of about 3000)
-// may be off; of the 43 scenes at 64 and 128 pixels none was.
+// may be off; of the 42 scenes at 64 and 128 pixels none was.
 TEST_CASE("in doubles every scene of features is the program's picture to a level but for one pixel") {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(precision_scenes / "features")) {
