@@ -29,6 +29,7 @@ PictureJob job_of(const std::filesystem::path& folder, const std::string& argume
   }
   job.options.width = std::min(job.options.width, max_width_here);
   job.options.threads = 1;
+  job.options.shading.count_work = true;
   return job;
 }
 
@@ -40,9 +41,27 @@ std::vector<InstructionSet> sets_here() {
   return result;
 }
 
-bool same(const RayCounts& a, const RayCounts& b) {
-  return a.primary == b.primary && a.reflected == b.reflected && a.refracted == b.refracted &&
-         a.shadow == b.shadow;
+// The picture that models everything is the same; and so are those of single rays and packets where faint
+// rays are left out, and where everything is modelled.
+void check_switches(const Scene& scene, const SceneTree& tree, const RenderOptions& options,
+                    const Rendered& expected) {
+  const auto rendered = [&](InstructionSet set, double least, bool everything) {
+    RenderOptions o = options;
+    o.instruction_set = set;
+    o.shading.least_contribution = least;
+    o.shading.model_everything = everything;
+    Progress progress;
+    return render(scene, tree, o, progress);
+  };
+  for (const bool everything : {false, true}) {
+    const double least = everything ? 0 : 0.2;
+    INFO("everything " << everything);
+    const Rendered single = rendered(InstructionSet::baseline, least, everything);
+    const Rendered packets = rendered(best_instruction_set(), least, everything);
+    CHECK(packets.image.rgb == single.image.rgb);
+    CHECK(packets.rays == single.rays);
+    if (everything) CHECK(single.image.rgb == expected.image.rgb);
+  }
 }
 
 // Renders a table's scenes every way; returns how many there are.
@@ -71,13 +90,14 @@ int check_table(const std::filesystem::path& folder, int width) {
       const Rendered found = rendered(set, set == InstructionSet::avx2 ? 2 : 1);
       INFO(row[0] << ' ' << row[1] << " with " << name_of(set));
       CHECK(found.image.rgb == expected.image.rgb);
-      CHECK(same(found.rays, expected.rays));
+      CHECK(found.rays == expected.rays);
       CHECK(found.non_finite.count == expected.non_finite.count);
     }
     const Rendered by_two = rendered(best_instruction_set(), 2);
     INFO(row[0] << ' ' << row[1] << " by two threads");
     CHECK(by_two.image.rgb == expected.image.rgb);
-    CHECK(same(by_two.rays, expected.rays));
+    CHECK(by_two.rays == expected.rays);
+    check_switches(scene, tree, job.options, expected);
   }
   return pictures;
 }
