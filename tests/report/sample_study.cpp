@@ -231,7 +231,7 @@ class RenderedScene {
     for (const Step& step : steps) {
       StudyJson result = result_of(step, ms * step.time, 0);
       const double rms = error_of(step, &result).value_or(first * step.error);
-      result["error"].update({{"rms", rms}, {"mean", rms * 0.2}});
+      result["error"].update({{"rms", rms}, {"mean", rms * 0.2}, {"largest", std::min(255.0, rms * 20)}});
       if (step.axis == "needs") result["same_picture"] = true;
       scene["results"].push_back(std::move(result));
     }
@@ -288,24 +288,24 @@ StudyJson made_up_scene(const std::string& name, const std::vector<Step>& some, 
 
 SampleStudy sample_study(const std::filesystem::path& folder) {
   SampleStudy study{study_of(steps, "scenes"), {}};
-  StudyJson& scenes = study.report["scenes"];
-  scenes.push_back(RenderedScene(study, folder, "features/box.ray").made(3.1));
+  StudyJson& list = study.report["scenes"];
+  list.push_back(RenderedScene(study, folder, "features/box.ray").made(3.1));
   RenderedScene still_life(study, folder, "showcase/still_life.ray");
-  scenes.push_back(still_life.made(24));
-  scenes.back()["solution"] = still_life.converged().string();
-  for (StudyJson& result : scenes.back()["results"])
+  list.push_back(still_life.made(24));
+  list.back()["solution"] = still_life.converged().string();
+  for (StudyJson& result : list.back()["results"])
     result["solution"] = {{"rms", rms_of(result) + 0.1}, {"off_by_more_than_one", 2.4}};
-  scenes.push_back(RenderedScene(study, folder, "features/refraction.ray").made(7));
-  scenes.push_back(
+  list.push_back(RenderedScene(study, folder, "features/refraction.ray").made(7));
+  list.push_back(
       made_up_scene("</script><img src=x onerror=alert(1)>.ray", {steps.begin(), steps.begin() + 3}, 0.4, 6));
-  scenes.back()["solution"] = "solutions/none.png";
+  list.back()["solution"] = "solutions/none.png";
   finish_study(study.report, steps);
   return study;
 }
 
-StudyJson made_up_study(std::size_t scenes, std::size_t settings) {
+StudyJson made_up_study(std::size_t scene_count, std::size_t setting_count) {
   std::vector<Step> some;
-  for (std::size_t i = 0; i < settings; ++i) {
+  for (std::size_t i = 0; i < setting_count; ++i) {
     Step step = steps[i % steps.size()];
     if (i >= steps.size()) {
       step.name += " again " + std::to_string(i);
@@ -315,7 +315,7 @@ StudyJson made_up_study(std::size_t scenes, std::size_t settings) {
     some.push_back(step);
   }
   StudyJson report = study_of(some, "made up");
-  for (std::size_t i = 0; i < scenes; ++i)
+  for (std::size_t i = 0; i < scene_count; ++i)
     report["scenes"].push_back(made_up_scene("folder/scene" + std::to_string(i) + ".ray", some,
                                              1 + double(i % 17) * 3.7, 0.5 + double(i % 23) * 0.4));
   finish_study(report, some);

@@ -19,6 +19,6 @@ struct SampleStudy {
 SampleStudy sample_study(const std::filesystem::path& folder);
 
 // Made up, without pictures: so many scenes, each with all of so many settings.
-nlohmann::ordered_json made_up_study(std::size_t scenes, std::size_t settings);
+nlohmann::ordered_json made_up_study(std::size_t scene_count, std::size_t setting_count);
 
 }  // namespace trace::test

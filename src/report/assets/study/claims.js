@@ -27,5 +27,5 @@ function claimsSection() {
   const fastest = fastestOverall();
   if (!claims.length && !fastest) return null;
   return element("section", { class: "claims", "aria-label": "In short" },
-    claims.length ? element("ul", {}, ...claims.map(claimCard)) : null, fastest);
+    claims.length ? element("ul", {}, ...claims.map(claimCard)) : null, fastest ? element("div", { class: "wide" }, fastest) : null);
 }

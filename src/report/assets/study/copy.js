@@ -14,7 +14,7 @@ async function copyText(text) {
 }
 
 function copyable(text) {
-  if (!text) return element("span", { class: "muted" }, "none");
+  if (!text) return element("span", { class: "muted" }, "no options");
   const copy = button("Copy", async () => {
     await copyText(text);
     copy.textContent = "Copied";

@@ -13,7 +13,7 @@ function sceneMarks(scene) {
       yBar: low || !(error.uncertainty > 0) ? null : [Math.max(error.rms - error.uncertainty, value / 10), error.rms + error.uncertainty],
     };
   });
-  return { marks, floor: { value, text: own > 0 ? "the converged picture's own error" : "no error" } };
+  return { marks, floor: { value, text: own > 0 ? "error of the converged picture" : "no error" } };
 }
 
 const sceneTip = ({ result }) => `${result.setting.name}: ${timeText(result.ms.median)}, ${errorText(result.error)} levels` +
@@ -67,7 +67,7 @@ function fillDetail(scene) {
   const answers = answersTable(scene, choose);
   leaving.push(plot.stop, keys.stop, answers.stop);
   detail.replaceChildren(sceneHead(scene), element("div", { class: "body" },
-    element("div", { class: "main" }, plot, answers, termList(convergedTerms(scene))), pictures,
+    element("div", { class: "main" }, plot, element("div", { class: "wide" }, answers), termList(convergedTerms(scene))), pictures,
     element("section", { class: "all wide", "aria-label": "Settings of this scene" }, table)));
   if (selected) choose(selected);
   detail.scrollTop = 0;

@@ -44,34 +44,55 @@ function drawArrow(plot, mark) {
   line(context, [x - 3 * scale, y + 10 * scale], [x, y + 13 * scale], [x + 3 * scale, y + 10 * scale]);
 }
 
+const frontPlaces = (plot, marks) =>
+  marks.filter((mark) => mark.front).sort((a, b) => a.x - b.x).map((mark) => placeOf(plot, mark));
+
 function drawFront(plot, marks) {
-  const front = marks.filter((mark) => mark.front).sort((a, b) => a.x - b.x);
   const { ctx: context } = plot;
   context.strokeStyle = colour("muted");
   context.lineWidth = 1.4 * devicePixelRatio;
-  line(context, ...front.map((mark) => placeOf(plot, mark)));
+  line(context, ...frontPlaces(plot, marks));
+}
+
+// Small boxes along the front, [left, top, right, bottom] each.
+function frontBoxes(plot, marks) {
+  const places = frontPlaces(plot, marks), boxes = [], gap = 6 * devicePixelRatio;
+  for (let i = 1; i < places.length; ++i) {
+    const [[x0, y0], [x1, y1]] = [places[i - 1], places[i]];
+    const pieces = Math.min(400, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / gap));
+    for (let piece = 1; piece < pieces; ++piece) {
+      const x = x0 + (x1 - x0) * piece / pieces, y = y0 + (y1 - y0) * piece / pieces;
+      boxes.push([x - 1, y - 1, x + 1, y + 1]);
+    }
+  }
+  return boxes;
 }
 
 function drawFloor(plot, floor) {
   const { ctx: context, bbox: box } = plot;
-  const y = plot.valToPos(floor.value, "y", true);
+  const y = plot.valToPos(floor.value, "y", true), scale = devicePixelRatio;
   context.strokeStyle = context.fillStyle = colour("muted");
-  context.lineWidth = devicePixelRatio;
-  context.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
+  context.lineWidth = scale;
+  context.setLineDash([4 * scale, 4 * scale]);
   line(context, [box.left, y], [box.left + box.width, y]);
   context.setLineDash([]);
-  context.textAlign = "right";
-  context.fillText(floor.text, box.left + box.width - 6 * devicePixelRatio, y + 13 * devicePixelRatio);
+  context.textAlign = "left";
+  context.fillText(floor.text, box.left + 6 * scale, y + 14 * scale);
 }
 
 // Names beside the marks of the front, as far as there is room.
-function drawNames(plot, marks, selected) {
+function drawNames(plot, marks, floor, selected) {
   const { ctx: context, bbox } = plot;
   const scale = devicePixelRatio, gap = 9 * scale, tall = 13 * scale;
   const taken = marks.map((mark) => {
     const [x, y] = placeOf(plot, mark), r = markRadius * scale;
     return [x - r, y - r, x + r, y + r];
   });
+  taken.push(...frontBoxes(plot, marks));
+  if (floor) {
+    const y = plot.valToPos(floor.value, "y", true);
+    taken.push([bbox.left, y, bbox.left + 6 * scale + context.measureText(floor.text).width, y + 18 * scale]);
+  }
   const free = ([l, t, r, b]) => l >= bbox.left && r <= bbox.left + bbox.width && t >= bbox.top && b <= bbox.top + bbox.height &&
     taken.every(([left, top, right, bottom]) => r < left || l > right || b < top || t > bottom);
   context.textAlign = "left";
@@ -80,8 +101,9 @@ function drawNames(plot, marks, selected) {
   for (const mark of marks.filter((each) => each.front || each.setting === selected).sort((a, b) => first(a) - first(b))) {
     const [x, y] = placeOf(plot, mark);
     const wide = context.measureText(mark.setting.name).width;
-    const places = [[x + gap, y - tall / 2], [x - gap - wide, y - tall / 2], [x + gap * 0.6, y - gap - tall * 0.6],
-      [x - gap * 0.6 - wide, y + gap * 0.5], [x - wide / 2, y - gap - tall], [x - wide / 2, y + gap]];
+    const above = y - gap * 0.6 - tall, below = y + gap * 0.6;
+    const places = [[x + gap, y - tall / 2], [x + gap * 0.6, above], [x - gap - wide, y - tall / 2], [x - gap * 0.6 - wide, below],
+      [x + gap * 0.6, below], [x - gap * 0.6 - wide, above], [x - wide / 2, above - gap * 0.5], [x - wide / 2, below + gap * 0.5]];
     const place = places.map(([l, t]) => [l, t, l + wide, t + tall]).find(free);
     if (!place) continue;
     taken.push(place);
@@ -112,6 +134,6 @@ function drawAll(plot, marks, floor, selected) {
     }
     drawShape(context, mark.setting.axis, x, y, markRadius * devicePixelRatio, mark.front);
   }
-  drawNames(plot, marks, selected);
+  drawNames(plot, marks, floor, selected);
   context.restore();
 }

@@ -1,10 +1,11 @@
 // The plot over all scenes: time and error relative to the first setting.
 
 function overallMarks() {
-  const errors = totals.map((total) => total.error).filter((error) => error > 0);
+  const known = totals.filter(({ time, error }) => time > 0 && typeof error === "number");
+  const errors = known.map((total) => total.error).filter((error) => error > 0);
   const least = errors.length ? Math.min(...errors) / 2 : 0.5;
-  const none = totals.some((total) => !(total.error > 0));
-  const marks = totals.filter((total) => total.time > 0).map((total) => ({
+  const none = known.some((total) => !(total.error > 0));
+  const marks = known.map((total) => ({
     x: total.time, y: total.error > 0 ? total.error : least, xBar: total.timeInterval, yBar: total.errorInterval,
     low: !(total.error > 0), front: total.front, setting: total.setting, total,
   }));

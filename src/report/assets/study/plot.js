@@ -1,15 +1,15 @@
 // A plot of time against error, both logarithmic.
 
-// Marks of a logarithmic axis: powers of ten; nearer 1, 2, 5; nearer still equal steps.
-function logMarks(low, high) {
+// Marks of a logarithmic axis, about `most` of them: powers of ten; nearer 1, 2, 5; nearer still equal steps.
+function logMarks(low, high, most) {
   const span = Math.log10(high / low);
-  if (span > 3) return decadeSplits(low, high);
+  if (span > 0.8 && span * 3 > most) return decadeSplits(low, high);
   const marks = [];
   if (span > 0.8) {
     for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power)
       for (const digit of [1, 2, 5]) marks.push(+`${digit}e${power}`);
   } else {
-    const rough = (high - low) / 5, power = 10 ** Math.floor(Math.log10(rough));
+    const rough = (high - low) / Math.min(5, most), power = 10 ** Math.floor(Math.log10(rough));
     const step = power * [1, 2, 5, 10].find((digit) => digit * power >= rough);
     for (let mark = Math.ceil(low / step); mark * step <= high; ++mark) marks.push(+(mark * step).toPrecision(6));
   }
@@ -18,16 +18,16 @@ function logMarks(low, high) {
 
 function drawPlot(place, width, view, options) {
   const { shown, marks, x, y, floor, height, selected, changed } = options;
-  const axis = ({ name, text }, extra) => chartAxis({ label: name, ...extra, splits: (_, __, low, high) => logMarks(low, high),
-    values: (_, splits) => splits.map((value) => text(value)) });
+  const axis = ({ name, text }, length, room, size) => chartAxis({ label: name, size, space: 10,
+    splits: (_, __, low, high) => logMarks(low, high, Math.max(2, length / room)), values: (_, splits) => splits.map((value) => text(value)) });
   const plot = new uPlot({
     width, height, legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, setScale: false, dist: 6 },
       bind: { dblclick: () => null } },
     scales: { x: { time: false, distr: 3, range: () => view.x }, y: { distr: 3, range: () => view.y } },
     axes: [
-      axis(x, { size: 32, space: 60 }),
-      axis(y, { size: 58, space: 30 }),
+      axis(x, width - 80, 56, 32),
+      axis(y, height - 60, 28, 58),
     ],
     series: [{}, { paths: () => null, points: { show: false } }],
     hooks: {

@@ -11,7 +11,7 @@ function raysText(result) {
 
 function gainText({ gain }) {
   if (!gain) return absent;
-  return [`${withSign(gain.rms, significant)} for ${withSign(gain.ms, timeText)}`, " ", element("span", { class: "muted" }, `over ${gain.over}`)];
+  return [`${withSign(gain.rms, significant)} for ${withSign(gain.ms, timeText)}`, " ", element("span", { class: "muted interval" }, `over ${gain.over}`)];
 }
 
 // Levels less for a millisecond more; what is better for nothing is first.
@@ -30,8 +30,9 @@ function remarks(result) {
 function resultColumns(scene, choose) {
   const columns = [
     { key: "setting", title: "Setting", head: true, value: ({ setting }) => setting.index,
-      cell: ({ setting, front }) => [settingButton(setting, choose, !front), setting === scene.chosen ? element("span", { class: "badge front" }, icon("pass"), "recommended") : ""] },
-    { key: "options", title: "Options", cell: ({ setting }) => copyable(setting.options) },
+      cell: ({ setting, front }) => [settingButton(setting, choose, !front),
+        setting === scene.chosen ? element("span", { class: "badge front" }, icon("pass"), "recommended") : "",
+        element("span", { class: "about" }, copyable(setting.options))] },
     { key: "time", title: "Time", number: true, value: ({ ms }) => ms.median, note: "Median; the confidence interval of the median",
       cell: ({ ms }) => element("span", { title: `${count(ms.runs, "run")}` }, timeText(ms.median), " ", element("span", { class: "muted interval" }, intervalText(ms.low, ms.high, timeText))) },
     { key: "error", title: "Error", number: true, value: ({ error }) => error.rms, note: "RMSE in levels of 255, with its uncertainty",

@@ -20,7 +20,8 @@ const settingsColumns = [
 ];
 
 function withInterval(text, interval) {
-  return interval ? [text, " ", element("span", { class: "muted interval" }, intervalText(...interval, significant))] : text;
+  if (!interval || significant(interval[0]) === significant(interval[1])) return text;
+  return [text, " ", element("span", { class: "muted interval" }, intervalText(...interval, significant))];
 }
 
 function settingsSection() {
