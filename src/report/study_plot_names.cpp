@@ -6,7 +6,7 @@
 namespace trace {
 namespace {
 
-constexpr double letter_width = 6.6, letter_height = 12;  // about, of the type that is used
+constexpr double letter_width = 6.6, letter_height = 14, baseline = 11;  // about, of the type that is used
 
 struct Box {
   double x0, y0, x1, y1;
@@ -62,7 +62,7 @@ std::vector<PlotName> place_names(const StudyPlot& plot) {
           std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }))
         continue;
       taken.push_back(box);
-      names.push_back({left, top + letter_height - 2, point.setting});
+      names.push_back({left, top + baseline, point.setting});
       break;
     }
   }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "report/html.hpp"
+#include "report/study_svg.hpp"
 #include "tests/report/sample_batch.hpp"
 #include "tests/report/sample_study.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -61,6 +62,7 @@ TEST_CASE("the report of a study works in a browser") {
   const SampleStudy study = sample_study(folder);
   write_study_report(study.report, study.pictures, folder / "study.html");
   write_study_report(made_up_study(300, 30), {}, folder / "large.html");
+  write_text(folder / "study.svg", study_svg(study.report));
   check_in_browser("study_browser_test.py", folder);
 }
 

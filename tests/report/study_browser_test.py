@@ -1,6 +1,7 @@
 """The HTML report of a study in a browser: study_browser_test.py FOLDER
 
-FOLDER has the pages of tests/report/browser_test.cpp: study.html, and large.html with 300 scenes and 30 settings.
+FOLDER has the files of tests/report/browser_test.cpp: study.html, study.svg, and large.html with 300 scenes and 30
+settings.
 Screenshots go there too. Exit status 0: all is well; 1: something is not; 77: no browser.
 """
 
@@ -364,6 +365,26 @@ def dark_and_light_follow_the_system_until_chosen(page, folder):
     page.screenshot(folder / "scene_dark.png")
     page.escape()
     page.one("[aria-label=Colours] [data-value=system]").click()
+
+
+@test
+def the_svg_picture_follows_the_system_and_its_names_keep_apart(page, folder):
+    paper = {}
+    for scheme in ("light", "dark"):
+        page.emulate(prefers_color_scheme=scheme)
+        page.load(folder / "study.svg")
+        paper[scheme] = page.run("return getComputedStyle(document.querySelector('.paper')).fill")
+        page.screenshot(folder / f"svg_{scheme}.png")
+    assert paper == {"light": "rgb(255, 255, 255)", "dark": "rgb(13, 17, 23)"}, paper
+    boxes = page.run("""return [...document.querySelectorAll("text, .mark")].map((each) => {
+        const { left, top, right, bottom } = each.getBoundingClientRect();
+        return [each.textContent, left, top, right, bottom] })""")
+    names = [box for box in boxes if box[0] in ("adaptive 4", "adaptive 16", "extended", "half")]
+    assert len(names) == 4, names
+    for name in names:
+        for other in boxes:
+            apart = name[3] < other[1] or name[1] > other[3] or name[4] < other[2] or name[2] > other[4]
+            assert name is other or apart, (name, other)
 
 
 @test

@@ -15,10 +15,10 @@ const sceneColumns = [
   { key: "time", title: `Time of ${baseName}`, number: true, downwards: true, value: (scene) => baseOf(scene)?.ms.median, cell: (scene) => timeText(baseOf(scene)?.ms.median) },
   { key: "error", title: `Error of ${baseName}`, number: true, downwards: true, note: "RMSE in levels of 255", value: (scene) => baseOf(scene)?.error.rms,
     cell: (scene) => significant(baseOf(scene)?.error.rms) },
-  { key: "best", title: "Fastest good enough", note: "The fastest setting with an error below the limit", value: (scene) => bestOf(scene)?.setting.index,
+  { key: "best", live: true, title: "Fastest good enough", note: "The fastest setting with an error below the limit", value: (scene) => bestOf(scene)?.setting.index,
     cell: (scene) => nameOf(bestOf(scene)?.setting) },
-  { key: "best-time", title: "Its time", number: true, downwards: true, value: (scene) => bestOf(scene)?.ms.median, cell: (scene) => timeText(bestOf(scene)?.ms.median) },
-  { key: "best-error", title: "Its error", number: true, downwards: true, value: (scene) => bestOf(scene)?.error.rms, cell: (scene) => significant(bestOf(scene)?.error.rms) },
+  { key: "best-time", live: true, title: "Its time", number: true, downwards: true, value: (scene) => bestOf(scene)?.ms.median, cell: (scene) => timeText(bestOf(scene)?.ms.median) },
+  { key: "best-error", live: true, title: "Its error", number: true, downwards: true, value: (scene) => bestOf(scene)?.error.rms, cell: (scene) => significant(bestOf(scene)?.error.rms) },
   { key: "chosen", title: "Recommended", value: ({ chosen }) => chosen?.index, cell: ({ chosen }) => nameOf(chosen) },
 ];
 
@@ -62,7 +62,7 @@ function scenesSection() {
   const field = limitField();
   followLimit(field, () => {
     tally.textContent = tallyText();
-    sceneTable.remake();
+    sceneTable.refresh();
   });
   return element("section", { "aria-label": "Scenes" }, element("h2", {}, "Scenes"),
     element("div", { class: "toolbar" }, element("label", { class: "field" }, element("span", {}, "Filter"), text),

@@ -83,7 +83,7 @@ function drawFloor(plot, floor) {
 // Names beside the marks of the front, as far as there is room.
 function drawNames(plot, marks, floor, selected) {
   const { ctx: context, bbox } = plot;
-  const scale = devicePixelRatio, gap = 9 * scale, tall = 13 * scale;
+  const scale = devicePixelRatio, tall = 13 * scale;
   const taken = marks.map((mark) => {
     const [x, y] = placeOf(plot, mark), r = markRadius * scale;
     return [x - r, y - r, x + r, y + r];
@@ -99,7 +99,7 @@ function drawNames(plot, marks, floor, selected) {
   context.fillStyle = colour("text");
   const first = (mark) => (mark.setting === selected ? 0 : 1);
   for (const mark of marks.filter((each) => each.front || each.setting === selected).sort((a, b) => first(a) - first(b))) {
-    const [x, y] = placeOf(plot, mark);
+    const [x, y] = placeOf(plot, mark), gap = (mark.setting === selected ? 13 : 9) * scale;
     const wide = context.measureText(mark.setting.name).width;
     const above = y - gap * 0.6 - tall, below = y + gap * 0.6;
     const places = [[x + gap, y - tall / 2], [x + gap * 0.6, above], [x - gap - wide, y - tall / 2], [x - gap * 0.6 - wide, below],

@@ -18,7 +18,8 @@ function tableCell(column, row) {
 }
 
 // columns: [{key, title, note, cell(row), value(row) to sort by, number, head, class, downwards: first click shows the
-// largest}]. `made(rowElement, row)` is called once a row. With rows(): those to be shown now. `table.show()` after a change.
+// largest, live: refresh() makes its cells anew}]. `made(rowElement, row)` is called once a row. rows(): those to be shown
+// now; `table.show()` after a change of these.
 function sortedTable({ caption, columns, rows, sort, made, nothing }) {
   const order = { key: sort, descending: false };
   const built = new Map();
@@ -54,9 +55,10 @@ function sortedTable({ caption, columns, rows, sort, made, nothing }) {
     body.replaceChildren(...now.map(rowOf));
     if (!now.length) body.append(element("tr", { role: "row" }, element("td", { class: "nothing", colspan: columns.length }, nothing || "Nothing matches.")));
   };
-  table.remake = () => {
-    built.clear();
-    table.show();
+  table.refresh = () => {
+    for (const [row, one] of built)
+      columns.forEach((column, at) => column.live && one.cells[at].replaceWith(tableCell(column, row)));
+    if (columns.find((column) => column.key === order.key)?.live) table.show();
   };
   table.rowOf = rowOf;
   table.show();
