@@ -16,6 +16,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double aim = 0.85;
 // The share of the squared error that a depth may take.
 constexpr double depth_share = 0.25;
+// Ray trees larger than this are not followed: glass within glass can double them with each bounce.
+constexpr double most_rays_per_sample = 500;
 // No one sees what such a depth loses; for times.
 constexpr double negligible_error = 0.02;
 // The share of what is left of a time that the samples at the corners may take.
@@ -64,30 +66,27 @@ WithinBudget render_within(const Budget& budget, const Scene& scene, const Scene
   progress.total = static_cast<std::uint64_t>(corners_count + 2 * pixels);
   const bool for_error = budget.error > 0;
 
-  const DepthPilot depths =
-      pilot_depth(scene, tree, options, height, max_depth,
-                  for_error ? budget.error / 16 : negligible_error / 2, for_error ? 8'000'000 : 1'000'000);
-  DepthStep depth = for_error ? depth_for_error(depths, aim * budget.error)
-                              : depth_for_time(depths, corners_count, left() * corners_share);
-  if (budget.fixed_depth) {
-    depth = depths.steps.back();
-    for (const DepthStep& step : depths.steps) {
-      if (step.depth <= options.depth) depth = step;
-    }
-    depth.depth = options.depth;
-  }
-  options.depth = depth.depth;
-
   WithinBudget result;
   BudgetOutcome& outcome = result.outcome;
-  outcome.depth = depth.depth;
-  outcome.depth_error = std::hypot(depth.error, depths.left);
+  if (!budget.fixed_depth) {
+    const DepthPilot depths =
+        pilot_depth(scene, tree, options, height, max_depth,
+                    for_error ? budget.error / 16 : negligible_error / 2, most_rays_per_sample);
+    const DepthStep& step = for_error ? depth_for_error(depths, aim * budget.error)
+                                      : depth_for_time(depths, corners_count, left() * corners_share);
+    options.depth = step.depth;
+    outcome.depth_error = std::hypot(step.error, depths.left);
+  }
+  outcome.depth = options.depth;
+
   Film film(options.width, height, options.keep_colors);
   FrameRenderer frame(scene, tree, options, height, threads_or_all(options.threads), progress);
   const CornerSamples corners(frame);
   const std::vector<std::uint8_t> contrasts = corners.contrasts(frame);
   const SamplingPilot pilot = pilot_sampling(frame, corners, contrasts);
-  const double most_square = std::max(0.0, square(aim * budget.error) - square(outcome.depth_error));
+  // Where the depth alone is beyond what is asked, samples are to cost no more than if it were not.
+  const double asked = square(aim * budget.error);
+  const double most_square = std::max(asked - square(outcome.depth_error), asked * depth_share);
   const double no_limit = std::numeric_limits<double>::infinity();
   const double most_samples =
       for_error ? no_limit : std::max(0.0, left()) / std::max(pilot.seconds_per_sample, 1e-12);

@@ -3,7 +3,7 @@
 // Two pilots measure what depth and samples are worth in this picture (depth_pilot.hpp, sampling_pilot.hpp)
 // and what they cost; from that the setting is chosen (allocation.hpp), rendered, and its error predicted. An
 // error is an RMSE in levels (1/255) over all channels, before colours are cut to bytes, against the picture
-// with as many samples and bounces as change anything.
+// with as many samples and bounces as change anything, or with options.depth bounces where that is kept.
 #pragma once
 
 #include "rendering/contrast.hpp"
@@ -21,7 +21,7 @@ struct Budget {
 
   bool asked() const { return error > 0 || seconds > 0; }
 
-  bool fixed_depth = false;  // options.depth is kept, and what it loses counts as part of the error
+  bool fixed_depth = false;  // options.depth is kept; nothing deeper counts as truth
 };
 
 struct BudgetOutcome {

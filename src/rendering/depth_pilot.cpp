@@ -22,7 +22,7 @@ double difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
 }  // namespace
 
 DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
-                       int deepest, double enough, std::uint64_t most_rays) {
+                       int deepest, double enough, double most_rays) {
   const auto width = static_cast<std::size_t>(options.width);
   const std::size_t total = width * static_cast<std::size_t>(height), count = std::min(total, most_pixels);
   std::vector<std::vector<Rgb>> colors;
@@ -62,9 +62,15 @@ DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOp
     }
     rays_before = rays;
     // Two steps in a row, for mirrors that face each other may show something new only every other time.
-    const bool settled =
+    const bool still =
         rung > 1 && result.left < enough && difference(colors[rung - 1], colors[rung - 2]) < enough;
-    if (settled || rays > most_rays || at_depth.depth == deepest) break;
+    if (still || at_depth.depth == deepest) break;
+    if (rung > 0 && result.steps.back().rays_per_sample > most_rays) {
+      result.steps.pop_back();
+      colors.pop_back();
+      result.settled = result.left < enough;
+      break;
+    }
   }
   for (std::size_t rung = 0; rung < colors.size(); ++rung) {
     result.steps[rung].error = difference(colors[rung], colors.back());

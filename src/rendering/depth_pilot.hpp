@@ -17,17 +17,19 @@ struct DepthStep {
 
 struct DepthPilot {
   std::vector<DepthStep> steps;  // depths ascending
-  // RMSE in levels that the deepest may still be off: what the last step changed. 0 where no ray was left to
-  // go deeper.
+  // RMSE in levels that the deepest may still be off: what the last step changed, or what the one after it
+  // would have changed where its trees were too large. 0 where no ray was left to go deeper.
   double left = 0;
+  bool settled = true;  // false where trees became too large before the picture was settled
 };
 
 // The depths that are tried: each, then at ratios of about 1.3.
 inline constexpr int pilot_depths[] = {0, 1, 2, 3, 4, 5, 6, 8, 10, 13, 16, 20, 25, 32, 40, 50, 64};
 
-// Goes deeper until no ray goes deeper, or a step changes less than `enough` levels, or its trees have become
-// so large that it traced `most_rays`. `deepest` ends the ladder; it is a step itself.
+// Goes deeper until no ray goes deeper, or two steps in a row change less than `enough` levels each; stops
+// before a step whose trees take more than `most_rays` a sample. `deepest` ends the ladder; it is a step
+// itself.
 DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
-                       int deepest, double enough, std::uint64_t most_rays = 8'000'000);
+                       int deepest, double enough, double most_rays);
 
 }  // namespace trace

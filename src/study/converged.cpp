@@ -14,7 +14,7 @@ namespace {
 // Levels that a step of depth may change when nothing more is to be seen of it.
 constexpr double settled_error = 0.02;
 // Trees that take more rays than this a sample are not followed further.
-constexpr double most_rays_per_sample = 100;
+constexpr double most_rays_per_sample = 48;
 // Rays of one half, at most, as far as there is a choice: some seconds.
 constexpr double most_rays = 4e7;
 
@@ -32,7 +32,7 @@ Converged converge(const Scene& scene, const SceneTree& tree, const RenderOption
   const int height = static_cast<int>(picture_height(scene, options.width));
   const DepthPilot pilot =
       pilot_depth(scene, tree, options, height, fixed_depth ? options.depth : max_depth, settled_error / 2,
-                  static_cast<std::uint64_t>(most_rays_per_sample * 4096));
+                  fixed_depth ? std::numeric_limits<double>::infinity() : most_rays_per_sample);
   Converged result;
   for (const DepthStep& step : pilot.steps) result.depths.push_back(step.depth);
   const DepthStep& deepest = pilot.steps.back();
@@ -55,7 +55,8 @@ Converged converge(const Scene& scene, const SceneTree& tree, const RenderOption
   const ColorImage a = half(frame, n, 0.25), b = half(frame, n, 0.75);
   result.colors = mean(a, b);
   result.samples = 2 * n * n;
-  const double left = fixed_depth ? 0 : pilot.left;
+  if (!pilot.settled) result.unsettled = pilot.left;
+  const double left = fixed_depth || !pilot.settled ? 0 : pilot.left;
   result.error = std::hypot(picture_error(a, b).root_mean_square / 2, left);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -18,6 +18,9 @@ struct Converged {
   // their mean. And of its depth: what the last deeper step changed (rendering/depth_pilot.hpp).
   double error = 0;
   double seconds = 0;
+  // Ray trees grew too large before the picture was settled: nothing deeper than `depth` counts as truth,
+  // although it would change the picture by so many levels more. 0 where it is settled.
+  double unsettled = 0;
   std::vector<int> depths;  // those that change the picture, ascending from 0
   int settled_depth = 0;    // the first of which nothing is seen to be lost
 };

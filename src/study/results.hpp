@@ -34,7 +34,7 @@ struct SettingResult {
 
 struct ConvergedText {
   int samples = 0, depth = 0;
-  double error = 0, seconds = 0;
+  double error = 0, seconds = 0, unsettled = 0;  // as in converged.hpp
   std::string picture;
 };
 

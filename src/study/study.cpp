@@ -61,12 +61,13 @@ class SceneStudy {
 
   SceneResult study() {
     truth_ = converge(scene_, *tree_, base_, what_.fixed_depth);
-    if (!what_.fixed_depth) base_.depth = truth_.settled_depth;
+    fixed_depth_ = what_.fixed_depth || truth_.unsettled > 0;
+    base_.depth = fixed_depth_ ? truth_.depth : truth_.settled_depth;
     result_.scene = what_.name;
     result_.width = base_.width;
     result_.height = truth_.colors.height();
     result_.depth = base_.depth;
-    result_.converged = {truth_.samples, truth_.depth, truth_.error, truth_.seconds, ""};
+    result_.converged = {truth_.samples, truth_.depth, truth_.error, truth_.seconds, truth_.unsettled, ""};
     read_solution();
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
       result_.settings.push_back({});
@@ -127,10 +128,10 @@ class SceneStudy {
     Progress progress;
     const SceneTree& tree = options.shading.model_everything ? *sorted_tree_ : *tree_;
     const auto begin = Clock::now();
-    Rendered rendered = setting.error_budget > 0 ? render_within({setting.error_budget, 0, what_.fixed_depth},
-                                                                 scene_, tree, options, progress)
-                                                       .rendered
-                                                 : render(scene_, tree, options, progress);
+    Rendered rendered =
+        setting.error_budget > 0
+            ? render_within({setting.error_budget, 0, fixed_depth_}, scene_, tree, options, progress).rendered
+            : render(scene_, tree, options, progress);
     result.milliseconds = milliseconds_since(begin);
     result.rays = rendered.rays;
     result.image = std::move(rendered.image);
@@ -266,6 +267,7 @@ class SceneStudy {
   RenderOptions base_;
   std::optional<SceneTree> tree_, sorted_tree_;  // the second for where everything is modelled
   Converged truth_;
+  bool fixed_depth_ = false;  // deeper is not truth
   std::optional<Raster> solution_;
   Image base_image_;
   std::vector<ColorImage> colors_;  // of each setting, enlarged

@@ -126,6 +126,7 @@ Json scene_json(const SceneResult& scene) {
       {"depth", truth.depth},
       {"error", truth.error},
       {"seconds", truth.seconds}};
+  if (truth.unsettled > 0) result["converged"]["unsettled"] = truth.unsettled;
   if (!truth.picture.empty()) result["converged"]["picture"] = truth.picture;
   if (!scene.solution.empty()) result["solution"] = scene.solution;
   Json results = Json::array();

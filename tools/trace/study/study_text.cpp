@@ -28,6 +28,12 @@ std::string scene_text(const SceneResult& scene) {
       fmt::format("{}, {} x {}, depth {}; truth: {} samples a pixel, depth {}, itself off by {} levels\n",
                   scene.scene, scene.width, scene.height, scene.depth, scene.converged.samples,
                   scene.converged.depth, digits(scene.converged.error));
+  if (scene.converged.unsettled > 0) {
+    text += fmt::format(
+        "  ray trees grow too fast to go deeper, which would change some {} levels: depth {} counts as the "
+        "truth\n",
+        digits(scene.converged.unsettled), scene.converged.depth);
+  }
   text += fmt::format("  {:<22} {:>9} {:>19}  {:>8} {:>8}  {:>10}\n", "setting", "ms", "", "error", "largest",
                       "rays");
   Axis axis = scene.settings.front().setting.axis;
