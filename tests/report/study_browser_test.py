@@ -368,6 +368,23 @@ def dark_and_light_follow_the_system_until_chosen(page, folder):
 
 
 @test
+def paper_gets_the_colours_of_paper(page, folder):
+    drawn = lambda: page.run("return document.querySelector('#charts canvas').toDataURL()")
+    paper = {}
+    for scheme in ("light", "dark"):
+        page.emulate(prefers_color_scheme=scheme)
+        page.load(folder / "study.html")
+        colours(page, "#charts .plot")
+        before = drawn()
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "media": "print", "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        page.wait("return document.querySelector('#charts canvas').toDataURL() !== arguments[0]", before)
+        paper[scheme] = drawn()
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert paper["light"] == paper["dark"]
+
+
+@test
 def the_svg_picture_follows_the_system_and_its_names_keep_apart(page, folder):
     paper = {}
     for scheme in ("light", "dark"):

@@ -38,4 +38,5 @@ function colour(name) {
 }
 
 systemDark.addEventListener("change", () => applyTheme(chosenTheme()));
+matchMedia("print").addEventListener("change", () => applyTheme(chosenTheme()));  // what is drawn gets the colours of paper
 applyTheme(chosenTheme());
