@@ -110,8 +110,8 @@ Overall overall(std::span<const SceneResult> scenes) {
     };
     add_speed_up(adaptive, Axis::adaptive);
     add_speed_up(course, Axis::course_adaptive);
-    const SettingResult *base = find(scene, base_setting), *everything = find(scene, "everything");
-    if (base && everything) needs.add(everything->time.median / base->time.median);
+    const SettingResult *needed = find(scene, "needed"), *everything = find(scene, "everything");
+    if (needed && everything) needs.add(everything->time.median / needed->time.median);
     const SettingResult *in_float = find(scene, "float"), *in_double = find(scene, "double");
     if (in_float && in_double) single.add(in_double->time.median / in_float->time.median);
   }

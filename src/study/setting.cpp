@@ -92,9 +92,17 @@ class Ladders {
     }
   }
 
+  // Trees of everything modelled double with each bounce, so both are no deeper than a few.
   void needs() {
-    add("everything", Axis::needs, "everything is modelled, needed or not", "--model-everything")
-        .options.shading.model_everything = true;
+    const int depth = std::min(scene_.options.depth, 3);
+    add("needed", Axis::needs, fmt::format("only what the scene needs, depth {}", depth),
+        fmt::format("-r {}", depth))
+        .options.depth = depth;
+    Setting& everything =
+        add("everything", Axis::needs, fmt::format("everything modelled, needed or not, depth {}", depth),
+            fmt::format("-r {} --model-everything", depth));
+    everything.options.depth = depth;
+    everything.options.shading.model_everything = true;
   }
 
   std::vector<Setting> take() { return std::move(settings_); }

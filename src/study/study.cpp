@@ -149,8 +149,11 @@ class SceneStudy {
       own.error = picture_error(first.colors, truth_.colors);
       own.uncertainty = truth_.error;
       if (solution_) own.solution = solution_error(first, own.setting);
-      if (own.setting.axis == Axis::needs) own.same_picture = first.image.rgb == base_image_.rgb;
-      if (own.setting.name == base_setting) base_image_ = first.image;
+      if (own.setting.options.shading.model_everything) {
+        own.same_picture = first.image.rgb == needed_.rgb;
+      } else if (own.setting.axis == Axis::needs) {
+        needed_ = first.image;
+      }
       colors_.push_back(std::move(first.colors));
       expected_.push_back(first.milliseconds);
     }
@@ -269,7 +272,7 @@ class SceneStudy {
   Converged truth_;
   bool fixed_depth_ = false;  // deeper is not truth
   std::optional<Raster> solution_;
-  Image base_image_;
+  Image needed_;                    // by modelling only what is needed
   std::vector<ColorImage> colors_;  // of each setting, enlarged
   std::vector<double> expected_;    // milliseconds of each
   SceneResult result_;

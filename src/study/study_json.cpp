@@ -86,7 +86,7 @@ Json result_json(const SettingResult& own, const SettingResult* before) {
 const SettingResult* step_before(const SceneResult& scene, std::size_t k) {
   const Axis axis = scene.settings[k].setting.axis;
   if (k > 0 && scene.settings[k - 1].setting.axis == axis) return &scene.settings[k - 1];
-  const bool refines = axis == Axis::adaptive || axis == Axis::course_adaptive || axis == Axis::needs;
+  const bool refines = axis == Axis::adaptive || axis == Axis::course_adaptive;
   return refines ? &scene.settings.front() : nullptr;
 }
 
