@@ -24,7 +24,7 @@ struct BlockInterpolation {
 struct Sampling {
   int grid = 1;          // n x n; 1: the course's one sample, at the corner
   double threshold = 0;  // above 0: adaptive, to an error of about so many levels in a pixel on an edge
-  int most = 8;          // n x n at most where adaptive
+  int most = 16;         // n x n at most where adaptive
 };
 
 struct RenderOptions {

@@ -28,10 +28,10 @@ class SampleSums {
     ++pixels_.back().count;
   }
   // n x n samples in the middles of as many equal parts of the pixel, or at another place of each.
-  void add_grid(int i, int j, int n, double place = 0.5) {
+  void add_grid(int i, int j, int n, const Vec2& place = Vec2(0.5)) {
     const double width = frame_.width(), height = frame_.height();
     for (int b = 0; b < n; ++b) {
-      for (int a = 0; a < n; ++a) add((i + (a + place) / n) / width, (j + (b + place) / n) / height);
+      for (int a = 0; a < n; ++a) add((i + (a + place.x) / n) / width, (j + (b + place.y) / n) / height);
     }
   }
   // Calls visit(i, j, mean) for each pixel in the order of begin(), and starts afresh. A channel that is

@@ -4,7 +4,7 @@
 
 namespace trace {
 
-void render_uniform(FrameRenderer& frame, Film& film, int n, double place) {
+void render_uniform(FrameRenderer& frame, Film& film, int n, const Vec2& place) {
   frame.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
     SampleSums sums(frame, sampler);
     for (int j = y0; j < y1; ++j) {

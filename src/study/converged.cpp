@@ -15,13 +15,18 @@ namespace {
 constexpr double settled_error = 0.02;
 // Trees that take more rays than this a sample are not followed further.
 constexpr double most_rays_per_sample = 48;
-// Rays of one half, at most, as far as there is a choice: some seconds.
-constexpr double most_rays = 4e7;
+// Rays in all, at most, as far as there is a choice: some seconds.
+constexpr double most_rays = 3e8;
 
-ColorImage half(FrameRenderer& frame, int n, double place) {
-  Film film(frame.width(), frame.height(), true);
-  render_uniform(frame, film, n, place);
-  return std::move(film.colors());
+// Half of the samples of a grid of 2 n x 2 n, those of one colour of a chessboard: two grids of n x n, whose
+// places add up to the middle of a part, as those of the other half do.
+ColorImage half(FrameRenderer& frame, int n, double first, double second) {
+  const auto quarter = [&](double x, double y) {
+    Film film(frame.width(), frame.height(), true);
+    render_uniform(frame, film, n, Vec2(x, y));
+    return std::move(film.colors());
+  };
+  return mean(quarter(0.25, first), quarter(0.75, second));
 }
 
 }  // namespace
@@ -44,17 +49,17 @@ Converged converge(const Scene& scene, const SceneTree& tree, const RenderOption
   }
 
   const double samples_in_reach = most_rays / (deepest.rays_per_sample * options.width * height);
-  int n = 4;
-  for (const int finer : {6, 8, 12, 16}) {
-    if (finer * finer <= samples_in_reach) n = finer;
+  int n = 3;
+  for (const int finer : {4, 6, 8, 12, 16}) {
+    if (4 * finer * finer <= samples_in_reach) n = finer;
   }
   RenderOptions deep = options;
   deep.depth = result.depth;
   Progress progress;
   FrameRenderer frame(scene, tree, deep, height, threads_or_all(options.threads), progress);
-  const ColorImage a = half(frame, n, 0.25), b = half(frame, n, 0.75);
+  const ColorImage a = half(frame, n, 0.25, 0.75), b = half(frame, n, 0.75, 0.25);
   result.colors = mean(a, b);
-  result.samples = 2 * n * n;
+  result.samples = 4 * n * n;
   if (!pilot.settled) result.unsettled = pilot.left;
   const double left = fixed_depth || !pilot.settled ? 0 : pilot.left;
   result.error = std::hypot(picture_error(a, b).root_mean_square / 2, left);

@@ -14,8 +14,8 @@ struct Converged {
   int samples = 0;  // in each pixel
   int depth = 0;
   // RMSE in levels that it may be off itself. Of its samples: half the difference of its two halves, which
-  // are grids shifted against each other, so that what a shift changes counts too although it cancels in
-  // their mean. And of its depth: what the last deeper step changed (rendering/depth_pilot.hpp).
+  // are the two colours of a chessboard of samples. And of its depth: what the last deeper step changed
+  // (rendering/depth_pilot.hpp).
   double error = 0;
   double seconds = 0;
   // Ray trees grew too large before the picture was settled: nothing deeper than `depth` counts as truth,
