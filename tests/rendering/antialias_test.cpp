@@ -124,8 +124,8 @@ TEST_CASE("the sample at the corner is the picture's byte, and the others are li
   options.width = 2;
   Progress progress;
   FrameRenderer frame(scene, tree, options, 2, 2, progress);
-  Image image{2, 2, {100, 100, 100, 0, 0, 0, 100, 100, 100, 0, 0, 0}};
-  antialias(frame, image);
-  CHECK(red(image, 0, 0) == static_cast<int>((100 + 3 * 255) / 4));
-  CHECK(red(image, 1, 1) == static_cast<int>(3 * 255 / 4));
+  Film film(Image{2, 2, {100, 100, 100, 0, 0, 0, 100, 100, 100, 0, 0, 0}}, false);
+  antialias(frame, film);
+  CHECK(red(film.image(), 0, 0) == static_cast<int>((100 + 3 * 255) / 4));
+  CHECK(red(film.image(), 1, 1) == static_cast<int>(3 * 255 / 4));
 }
