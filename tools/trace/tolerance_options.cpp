@@ -1,21 +1,8 @@
 #include "tools/trace/tolerance_options.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdlib>
+#include "tools/trace/number_between.hpp"
 
 namespace trace {
-
-CLI::Validator number_between(double low, double high, const std::string& description) {
-  return CLI::Validator(
-      [=](const std::string& text) {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        const bool valid = !text.empty() && *end == '\0' && value >= low && value <= high;
-        return valid ? std::string() : fmt::format("'{}' is not {}", text, description);
-      },
-      "");
-}
 
 void ToleranceOptions::add_to(CLI::App& app) {
   const auto positive = number_between(0, 1e300, "a number that is not negative");

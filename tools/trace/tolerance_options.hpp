@@ -18,7 +18,4 @@ struct ToleranceOptions {
   Tolerance tolerance() const { return {rmse, max, pixels, over.value_or(1), ssim, flip}; }
 };
 
-// Of an option's value; CLI11's own ranges let NaN pass.
-CLI::Validator number_between(double low, double high, const std::string& description);
-
 }  // namespace trace

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/number_between.hpp"
 #include "tools/trace/shell_words.hpp"
 #include "tools/trace/tolerance_options.hpp"
 
@@ -55,11 +56,11 @@ void add_how(CLI::App& app, BatchArguments& a) {
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.add_option("--timeout", a.timeout, "Seconds for one scene")
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(number_between(0.001, 1e6))
       ->capture_default_str()
       ->type_name("S");
   app.add_option("--memory", a.memory, "MiB for one scene (default: an equal share of 3/4 of the machine)")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(number_between(1, 1e6))
       ->type_name("MIB");
   app.add_option(
          "--exec", a.programs,

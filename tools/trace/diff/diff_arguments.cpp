@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/number_between.hpp"
 #include "tools/trace/tolerance_options.hpp"
 
 namespace trace {

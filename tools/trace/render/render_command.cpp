@@ -13,6 +13,7 @@
 #include "parallel/parallel.hpp"
 #include "rendering/budget.hpp"
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/number_between.hpp"
 #include "tools/trace/render/progress_line.hpp"
 #include "tools/trace/render/statistics.hpp"
 #include "tools/trace/text_output.hpp"
@@ -212,15 +213,15 @@ int render_command(int argc, const char* const* argv) {
                  ->type_name("N");
   auto* adaptive = app.add_option("--adaptive", sampling.threshold,
                                   "Samples where they count, to an error of some so many levels in a pixel")
-                       ->check(CLI::Range(least_threshold, 255.0))
+                       ->check(number_between(least_threshold, 255))
                        ->type_name("LEVELS");
   auto* error = app.add_option("--error-budget", arguments.budget.error,
                                "The fastest setting predicted to be off by at most so many levels (RMSE)")
-                    ->check(CLI::Range(least_error, 255.0))
+                    ->check(number_between(least_error, 255))
                     ->type_name("LEVELS");
   auto* time = app.add_option("--time-budget", arguments.budget.seconds,
                               "The best picture predicted to take at most so long")
-                   ->check(CLI::Range(1e-3, 1e6))
+                   ->check(number_between(1e-3, 1e6))
                    ->type_name("SECONDS");
   aa->excludes(adaptive, error, time);
   adaptive->excludes(error, time);
@@ -232,7 +233,7 @@ int render_command(int argc, const char* const* argv) {
       ->type_name("NAME");
   app.add_option("--least-contribution", options.shading.least_contribution,
                  "End paths of mirrored and refracted rays that carry less (0 to 1; 0: none)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_between(0, 1))
       ->type_name("X");
   app.add_flag("--model-everything", options.shading.model_everything,
                "Everything is modelled, needed or not; the picture is the same, only slower");

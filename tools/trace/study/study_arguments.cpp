@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/number_between.hpp"
 #include "tools/trace/shell_words.hpp"
 
 namespace trace {
@@ -48,7 +49,7 @@ void add_what(CLI::App& app, StudyArguments& a) {
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.add_option("--seconds", a.seconds, "For measuring times, each scene")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_between(0, 1e6))
       ->capture_default_str()
       ->type_name("S");
 }
