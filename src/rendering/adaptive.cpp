@@ -81,25 +81,108 @@ std::vector<std::uint8_t> CornerSamples::contrasts(FrameRenderer& frame) const {
   return bins;
 }
 
-void refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
-            const std::vector<std::uint8_t>& contrasts, const GridByContrast& grids) {
-  frame.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
-    SampleSums sums(frame, sampler);
-    for (int j = y0; j < y1; ++j) {
-      for (int i = x0; i < x1; ++i) {
-        const std::size_t pixel = static_cast<std::size_t>(j) * static_cast<std::size_t>(frame.width()) +
-                                  static_cast<std::size_t>(i);
-        const int n = grids[contrasts[pixel]];
-        if (n == 0) {
-          film.set(i, j, corners.mean(i, j));
-        } else {
-          sums.begin(i, j);
-          sums.add_grid(i, j, n);
+namespace {
+
+class Refinement {
+ public:
+  Refinement(FrameRenderer& frame, Film& film, std::vector<std::uint8_t> contrasts,
+             const GridByContrast& grids)
+      : frame_(frame),
+        film_(film),
+        contrasts_(std::move(contrasts)),
+        grids_(grids),
+        found_(contrasts_.size()) {}
+
+  void by_corners(const CornerSamples& corners) {
+    frame_.for_each_tile(16, [&](const FrameRenderer::Sampler& sampler, int x0, int y0, int x1, int y1) {
+      SampleSums sums(frame_, sampler, true);
+      for (int j = y0; j < y1; ++j) {
+        for (int i = x0; i < x1; ++i) {
+          if (const int n = grids_[contrasts_[index(i, j)]]) {
+            sums.begin(i, j);
+            sums.add_grid(i, j, n);
+          } else {
+            film_.set(i, j, corners.mean(i, j));
+          }
+        }
+      }
+      finish(sums);
+    });
+  }
+
+  // What samples have found that corners do not show goes on in neighbours; so thin lines are followed.
+  void follow() {
+    std::vector<std::size_t> pixels;
+    for (std::size_t k = 0; k < contrasts_.size(); ++k) {
+      if (found_[k] > contrasts_[k]) pixels.push_back(k);
+    }
+    while (!pixels.empty()) {
+      pixels = to_refine(pixels);
+      frame_.for_each_tile(static_cast<int>(pixels.size()), 1, 16,
+                           [&](const FrameRenderer::Sampler& sampler, int first, int, int last, int) {
+                             SampleSums sums(frame_, sampler, true);
+                             for (int k = first; k < last; ++k) {
+                               const std::size_t pixel = pixels[static_cast<std::size_t>(k)];
+                               const auto width = static_cast<std::size_t>(frame_.width());
+                               const int i = static_cast<int>(pixel % width),
+                                         j = static_cast<int>(pixel / width);
+                               sums.begin(i, j);
+                               sums.add_grid(i, j, grids_[contrasts_[pixel]]);
+                             }
+                             finish(sums);
+                           });
+    }
+  }
+
+ private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(frame_.width()) +
+           static_cast<std::size_t>(i);
+  }
+
+  void finish(SampleSums& sums) {
+    sums.finish_with_ranges([&](int i, int j, const Rgb& mean, double range) {
+      film_.set(i, j, mean);
+      found_[index(i, j)] = static_cast<std::uint8_t>(contrast_bin(static_cast<float>(255 * range / 2)));
+    });
+  }
+
+  // The neighbours of these pixels that deserve more samples for what was found there; each once. Their
+  // contrast becomes that, so that a pixel is drawn again only for a larger one: at most as often as there
+  // are steps.
+  std::vector<std::size_t> to_refine(const std::vector<std::size_t>& pixels) {
+    std::vector<std::size_t> result;
+    for (const std::size_t pixel : pixels) {
+      const int i = static_cast<int>(pixel % static_cast<std::size_t>(frame_.width()));
+      const int j = static_cast<int>(pixel / static_cast<std::size_t>(frame_.width()));
+      for (int y = std::max(j - 1, 0); y <= std::min(j + 1, frame_.height() - 1); ++y) {
+        for (int x = std::max(i - 1, 0); x <= std::min(i + 1, frame_.width() - 1); ++x) {
+          std::uint8_t& own = contrasts_[index(x, y)];
+          if (grids_[found_[pixel]] <= grids_[own]) continue;
+          own = found_[pixel];
+          result.push_back(index(x, y));
         }
       }
     }
-    sums.finish([&](int i, int j, const Rgb& mean) { film.set(i, j, mean); });
-  });
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  FrameRenderer& frame_;
+  Film& film_;
+  std::vector<std::uint8_t> contrasts_;
+  const GridByContrast& grids_;
+  std::vector<std::uint8_t> found_;  // bin of half the range of a pixel's samples; 0 where it has none
+};
+
+}  // namespace
+
+void refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
+            std::vector<std::uint8_t> contrasts, const GridByContrast& grids) {
+  Refinement refinement(frame, film, std::move(contrasts), grids);
+  refinement.by_corners(corners);
+  refinement.follow();
 }
 
 void render_adaptive(FrameRenderer& frame, Film& film, const GridByContrast& grids) {

@@ -12,13 +12,14 @@ namespace trace {
 
 class SampleSums {
  public:
-  SampleSums(FrameRenderer& frame, const FrameRenderer::Sampler& sampler)
-      : frame_(frame), sampler_(sampler) {}
+  // `ranges`: finish_with_ranges() is asked for.
+  SampleSums(FrameRenderer& frame, const FrameRenderer::Sampler& sampler, bool ranges = false)
+      : frame_(frame), sampler_(sampler), ranges_(ranges) {}
 
   // The samples that follow are of this pixel (j from the bottom) and are added to `start`, in which `count`
   // samples are already.
   void begin(int i, int j, const PartialRgb& start = {}, int count = 0) {
-    pixels_.push_back({i, j, count, start});
+    pixels_.push_back({i, j, count, start, Rgb(1), Rgb(0)});
   }
   // One sample at a point of the picture, (0, 0) to (1, 1); its channels are limited to [0, 1].
   void add(double x, double y) {
@@ -42,11 +43,23 @@ class SampleSums {
     for (const Pixel& p : pixels_) visit(p.i, p.j, p.sum.value / static_cast<double>(p.count));
     pixels_.clear();
   }
+  // The same with visit(i, j, mean, range), the largest difference of any channel between the samples.
+  template <class Visit>
+  void finish_with_ranges(Visit&& visit) {
+    trace();
+    for (const Pixel& p : pixels_) {
+      const Rgb range = p.high - p.low;
+      visit(p.i, p.j, p.sum.value / static_cast<double>(p.count),
+            std::max(range.x, std::max(range.y, range.z)));
+    }
+    pixels_.clear();
+  }
 
  private:
   struct Pixel {
     int i, j, count;
     PartialRgb sum;
+    Rgb low, high;  // of the samples, where ranges are wanted
   };
   struct Place {
     double x, y;
@@ -61,16 +74,24 @@ class SampleSums {
       if (samples_.left_out[k]) {
         const PartialRgb sample = sampler_.at(place.x, place.y);
         frame_.non_finite().watch(p.i, p.j, sample);
-        p.sum += PartialRgb(clamped(sample.value), sample.undefined);
+        add(p, PartialRgb(clamped(sample.value), sample.undefined));
       } else {
-        p.sum += PartialRgb(clamped(samples_.color(k)));
+        add(p, PartialRgb(clamped(samples_.color(k))));
       }
     }
     samples_.count = 0;
   }
 
+  void add(Pixel& p, const PartialRgb& sample) const {
+    p.sum += sample;
+    if (!ranges_) return;
+    p.low = glm::min(p.low, sample.value);
+    p.high = glm::max(p.high, sample.value);
+  }
+
   FrameRenderer& frame_;
   const FrameRenderer::Sampler& sampler_;
+  bool ranges_;
   std::vector<Pixel> pixels_;
   SampleBatch samples_;
   std::array<Place, SampleBatch::capacity> places_;

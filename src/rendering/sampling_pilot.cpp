@@ -10,8 +10,8 @@ namespace trace {
 namespace {
 
 // Pixels that are looked at in all, and in a bin at least (if it has them).
-constexpr double wanted_pixels = 384;
-constexpr std::size_t least_in_bin = 16;
+constexpr double wanted_pixels = 512;
+constexpr std::size_t least_in_bin = 24;
 
 // Steps of grid_ladder that are measured, against a finer grid. An error falls as n^-3/2 (contrast.hpp); that
 // of the finer grid is in what is measured, and those of later steps follow from the last one measured.

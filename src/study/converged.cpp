@@ -18,15 +18,16 @@ constexpr double most_rays_per_sample = 48;
 // Rays in all, at most, as far as there is a choice: some seconds.
 constexpr double most_rays = 3e8;
 
-// Half of the samples of a grid of 2 n x 2 n, those of one colour of a chessboard: two grids of n x n, whose
-// places add up to the middle of a part, as those of the other half do.
-ColorImage half(FrameRenderer& frame, int n, double first, double second) {
-  const auto quarter = [&](double x, double y) {
-    Film film(frame.width(), frame.height(), true);
-    render_uniform(frame, film, n, Vec2(x, y));
-    return std::move(film.colors());
-  };
-  return mean(quarter(0.25, first), quarter(0.75, second));
+// What a part of the samples says, of a grid of 2 n x 2 n the n x n that lie at one place of each part.
+ColorImage quarter(FrameRenderer& frame, int n, double x, double y) {
+  Film film(frame.width(), frame.height(), true);
+  render_uniform(frame, film, n, Vec2(x, y));
+  return std::move(film.colors());
+}
+
+// RMSE in levels of the mean of a and b against the mean of all four, half their difference.
+double half_difference(const ColorImage& a, const ColorImage& b, const ColorImage& c, const ColorImage& d) {
+  return picture_error(mean(a, b), mean(c, d)).root_mean_square / 2;
 }
 
 }  // namespace
@@ -57,12 +58,15 @@ Converged converge(const Scene& scene, const SceneTree& tree, const RenderOption
   deep.depth = result.depth;
   Progress progress;
   FrameRenderer frame(scene, tree, deep, height, threads_or_all(options.threads), progress);
-  const ColorImage a = half(frame, n, 0.25, 0.75), b = half(frame, n, 0.75, 0.25);
-  result.colors = mean(a, b);
+  const ColorImage a = quarter(frame, n, 0.25, 0.25), b = quarter(frame, n, 0.75, 0.75);
+  const ColorImage c = quarter(frame, n, 0.25, 0.75), d = quarter(frame, n, 0.75, 0.25);
+  result.colors = mean(mean(a, b), mean(c, d));
   result.samples = 4 * n * n;
   if (!pilot.settled) result.unsettled = pilot.left;
   const double left = fixed_depth || !pilot.settled ? 0 : pilot.left;
-  result.error = std::hypot(picture_error(a, b).root_mean_square / 2, left);
+  const double chessboard = half_difference(a, b, c, d);
+  const double columns = half_difference(a, c, b, d), rows = half_difference(a, d, b, c);
+  result.error = std::sqrt(chessboard * chessboard + (columns * columns + rows * rows) / 6 + left * left);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -23,7 +23,7 @@ struct StudyScene {
 struct StudyOptions {
   std::vector<Axis> axes;
   int threads = 0;
-  double seconds = 3;  // for measuring the times of one scene, beside one warming run of each setting
+  double seconds = 2;  // for measuring the times of one scene, beside one warming run of each setting
   int least_runs = 3, most_runs = 25;
   bool pictures =
       false;  // `pictures` is filled: of the converged picture, the front, and the chosen one's heat map

@@ -14,7 +14,7 @@ constexpr double uniform_pixel = 1.0 / 20;
 ColorImage uniformly_sampled(const Scene& scene, int n, double place = 0.5) {
   Stage stage(scene, sampling_options(20));
   Film film = stage.film();
-  render_uniform(stage.frame(), film, n, place);
+  render_uniform(stage.frame(), film, n, Vec2(place));
   return film.colors();
 }
 

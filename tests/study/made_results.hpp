@@ -28,7 +28,7 @@ inline SceneResult made_scene(const std::string& name, std::vector<SettingResult
   scene.scene = name;
   scene.width = scene.height = 16;
   scene.depth = 5;
-  scene.converged = {512, 8, 0.02, 0.1, ""};
+  scene.converged = {512, 8, 0.02, 0.1, 0, ""};
   scene.settings = std::move(settings);
   return scene;
 }

@@ -154,6 +154,7 @@ TEST_CASE("arithmetic and needs have claims, and no line among the settings") {
   scene.settings.back().setting.arithmetic = Arithmetic::single;
   scene.settings.push_back(made_setting("double", Axis::arithmetic, 5, 0.001));
   scene.settings.back().setting.arithmetic = Arithmetic::working;
+  scene.settings.push_back(made_setting("needed", Axis::needs, 1, 8));
   scene.settings.push_back(made_setting("everything", Axis::needs, 3, 8));
   const Overall all = overall(std::vector{scene});
   CHECK(claim_with(all, "float").times == Approx(2.5));

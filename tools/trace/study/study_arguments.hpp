@@ -17,7 +17,7 @@ struct StudyArguments {
   std::vector<Axis> axes;
   RenderOptions options;
   bool width_given = false, depth_given = false;
-  double seconds = 3;
+  double seconds = 2;
   bool quiet = false;
   std::string command;  // the whole command line, for the report
 };
