@@ -85,16 +85,16 @@ WithinBudget render_within(const Budget& budget, const Scene& scene, const Scene
   const std::vector<std::uint8_t> contrasts = corners.contrasts(frame);
   const SamplingPilot pilot = pilot_sampling(frame, corners, contrasts);
   // Where the depth alone is beyond what is asked, samples are to cost no more than if it were not.
-  const double asked = square(aim * budget.error);
+  const double asked = square(for_error ? aim * budget.error : negligible_error);
   const double most_square = std::max(asked - square(outcome.depth_error), asked * depth_share);
   const double no_limit = std::numeric_limits<double>::infinity();
   const double most_samples =
       for_error ? no_limit : std::max(0.0, left()) / std::max(pilot.seconds_per_sample, 1e-12);
   const Allocation allocation = allocate(pilot, most_square, most_samples);
-  refine(frame, film, corners, contrasts, allocation.grids);
+  const std::uint64_t samples = refine(frame, film, corners, contrasts, allocation.grids);
 
   outcome.grids = allocation.grids;
-  outcome.samples_per_pixel = (corners_count + allocation.samples) / pixels;
+  outcome.samples_per_pixel = (corners_count + static_cast<double>(samples)) / pixels;
   outcome.sampling_error = std::sqrt(allocation.square_error);
   outcome.met = for_error ? outcome.error() <= budget.error : left() >= 0;
   result.rendered = {std::move(film.image()), std::move(film.colors()), frame.counts(),

@@ -26,8 +26,8 @@ struct Budget {
 
 struct BudgetOutcome {
   int depth = 0;
-  GridByContrast grids{};  // samples by contrast
-  double samples_per_pixel = 0;
+  GridByContrast grids{};                      // samples by contrast
+  double samples_per_pixel = 0;                // as they were taken, without the pilots'
   double sampling_error = 0, depth_error = 0;  // levels, as predicted
   double error() const;                        // of both together
   bool met = true;  // as predicted; false where the ladder ends or time runs out before

@@ -121,6 +121,7 @@ SamplingPilot pilot_sampling(FrameRenderer& frame, const CornerSamples& corners,
       } else {
         square = errors.square[measured_steps - 1] * std::pow(grid_ladder[measured_steps - 1] / n, 3);
       }
+      square = std::max(square, unseen_square / std::pow(std::max(n, 1.0), 3));
       if (step > 0) square = std::min(square, errors.square[step - 1]);
     }
   }

@@ -29,7 +29,7 @@ struct SamplingDesk {
 
 }  // namespace
 
-TEST_CASE("--aa takes so many samples squared in every pixel, and one is the course's picture") {
+TEST_CASE("the option --aa takes so many samples squared in every pixel, and one is the course's picture") {
   const SamplingDesk desk;
   CHECK(desk.primary("--aa 2") == "1024");
   CHECK(desk.primary("--aa 3") == "2304");
@@ -41,7 +41,7 @@ TEST_CASE("--aa takes so many samples squared in every pixel, and one is the cou
   CHECK(compare(one, read_image(desk.folder / "two.png")).pixels > 20);
 }
 
-TEST_CASE("--adaptive takes fewer samples for a larger threshold, each corner at least") {
+TEST_CASE("the option --adaptive takes fewer samples for a larger threshold, each corner at least") {
   const SamplingDesk desk;
   const int fine = std::stoi(desk.primary("--adaptive 1")), coarse = std::stoi(desk.primary("--adaptive 32"));
   CHECK(coarse >= 17 * 17);
@@ -79,10 +79,10 @@ TEST_CASE("a time that is too short is told as not met, with a picture and statu
   CHECK(read_image(desk.folder / "hasty.png").width == 400);
 }
 
-TEST_CASE("a depth that is given is kept within a budget, and costs what it loses") {
+TEST_CASE("a depth that is given is kept within a budget") {
   const SamplingDesk desk;
   CHECK_THAT(desk.trace("-w 32 -r 0 --error-budget 1 a.ray out.png").errors,
-             Catch::Contains("levels as predicted (1 levels asked for, not met): depth 0, "));
+             Catch::Contains("levels as predicted (1 levels asked for): depth 0, "));
   CHECK_THAT(desk.trace("-w 32 -r 40 --error-budget 1 a.ray out.png").errors,
              Catch::Contains(" as predicted (1 levels asked for): depth 40, "));
 }

@@ -33,7 +33,7 @@ TEST_CASE("a study prints a table of its settings and what is fastest for an err
   CHECK(outcome.errors == "[1/1] scenes/a.ray\n");
   CHECK_THAT(outcome.output,
              Catch::StartsWith(
-                 "scenes/a.ray, 16 x 16, depth 0; truth: 512 samples a pixel, depth 0, itself off by "));
+                 "scenes/a.ray, 16 x 16, depth 0; truth: 1024 samples a pixel, depth 0, itself off by "));
   for (const char* setting : {"1 ", "2x2", "8x8", "adaptive 64", "adaptive 1 "}) {
     CHECK_THAT(outcome.output, Catch::Contains("\n* " + std::string(setting)) ||
                                    Catch::Contains("\n  " + std::string(setting)));

@@ -1,6 +1,8 @@
 // Pictures no worse, or no later, than asked.
 #include "rendering/budget.hpp"
 
+#include "rendering/sampling_pilot.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -122,12 +124,12 @@ TEST_CASE("the depth for an error is as deep as it needs to be and no deeper") {
   CHECK(within({1, 0, false}, half_white(0.1), sampling_options(16, 50)).outcome.depth == 0);
 }
 
-TEST_CASE("a depth that is fixed is kept, and what it loses counts") {
+TEST_CASE("a depth that is fixed is kept, and nothing deeper counts") {
   const Scene mirrors = facing_mirrors(0.2, 0.5);
   const WithinBudget shallow = within({1, 0, true}, mirrors, sampling_options(16, 1));
   CHECK(shallow.outcome.depth == 1);
-  CHECK(shallow.outcome.depth_error == Approx(255 * 0.4 * 0.25).epsilon(0.01));
-  CHECK_FALSE(shallow.outcome.met);
+  CHECK(shallow.outcome.depth_error == 0);
+  CHECK(shallow.outcome.met);
   CHECK(shallow.rendered.colors.at(3, 3).x == Approx(0.3));
   const WithinBudget between = within({1, 0, true}, mirrors, sampling_options(16, 7));  // no step has it
   CHECK(between.outcome.depth == 7);
@@ -149,8 +151,10 @@ TEST_CASE("tiny, empty and black scenes have pictures within any budget") {
       CHECK(result.outcome.depth == 0);
       if (scene == &small) continue;
       CHECK(result.outcome.met);
-      CHECK(result.outcome.error() == 0);
-      CHECK(result.outcome.samples_per_pixel == Approx((width + 1.0) * (width + 1) / (width * width)));
+      CHECK(result.outcome.error() <= std::sqrt(unseen_square));
+      if (budget.error > 0) {  // more than the corners would show nothing
+        CHECK(result.outcome.samples_per_pixel == Approx((width + 1.0) * (width + 1) / (width * width)));
+      }
       CHECK(std::count(result.rendered.image.rgb.begin(), result.rendered.image.rgb.end(), 0) ==
             3 * width * width);
     }

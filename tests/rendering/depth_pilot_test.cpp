@@ -12,7 +12,7 @@ using namespace trace::test;
 
 namespace {
 
-DepthPilot piloted(const Scene& scene, int deepest, double enough, std::uint64_t most_rays = 8'000'000,
+DepthPilot piloted(const Scene& scene, int deepest, double enough, double most_rays = 1e9,
                    const RenderOptions& options = sampling_options(24)) {
   const SceneTree tree(scene);
   return pilot_depth(scene, tree, options, static_cast<int>(picture_height(scene, options.width)), deepest,
@@ -74,10 +74,14 @@ TEST_CASE("the ladder ends at the deepest that is allowed, which is a step itsel
   CHECK(seven.steps.back().error == 0);
 }
 
-TEST_CASE("the ladder ends when a step has traced as many rays as are allowed") {
-  // 24 x 24 samples of depth + 1 rays.
-  const DepthPilot pilot = piloted(facing_mirrors(0.05, 0.9), max_depth, 0.001, 24 * 24 * 3 + 1);
+TEST_CASE(
+    "the ladder ends before a step whose trees are larger than allowed, and says what that step would "
+    "change") {
+  // Trees of depth + 1 rays.
+  const DepthPilot pilot = piloted(facing_mirrors(0.05, 0.9), max_depth, 0.001, 4.5);
   CHECK(depths_of(pilot) == std::vector<int>{0, 1, 2, 3});
+  CHECK_FALSE(pilot.settled);
+  CHECK(pilot.left == Approx(255 * 0.05 * std::pow(0.9, 4)).epsilon(0.01));
 }
 
 TEST_CASE("a ladder in which no ray goes deeper ends without a step that changes nothing") {

@@ -61,7 +61,7 @@ TEST_CASE("the error that the truth says of itself bounds its true error on edge
     CHECK(off <= truth.error);
     CHECK(truth.error < 2);
     CHECK(off > 0);
-    CHECK(truth.samples == 512);
+    CHECK(truth.samples == 1024);
   }
 }
 

@@ -31,6 +31,7 @@ SceneResult full_scene() {
   scene.settings.push_back(made_setting("depth 1", Axis::depth, 0.5, 20));
   scene.settings.push_back(made_setting("float", Axis::arithmetic, 2, 0.1));
   scene.settings.back().setting.arithmetic = Arithmetic::single;
+  scene.settings.push_back(made_setting("needed", Axis::needs, 1, 8));
   scene.settings.push_back(made_setting("everything", Axis::needs, 3, 8));
   scene.settings.back().same_picture = true;
   scene.chosen = 1;
