@@ -1,13 +1,12 @@
 // Pictures no worse, or no later, than asked.
 #include "rendering/budget.hpp"
 
-#include "rendering/sampling_pilot.hpp"
-
 #include <algorithm>
 #include <chrono>
 
 #include "loading/scene_loader.hpp"
 #include "rendering/adaptive.hpp"
+#include "rendering/sampling_pilot.hpp"
 #include "study/picture_error.hpp"
 #include "tests/rendering/sampled_scenes.hpp"
 
