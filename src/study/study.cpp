@@ -52,6 +52,7 @@ class SceneStudy {
       : what_(what),
         options_(options),
         pictures_(pictures),
+        warnings_(warnings),
         scene_(load(what, warnings)),
         base_(what.options) {
     base_.threads = threads_or_all(options.threads);
@@ -103,6 +104,9 @@ class SceneStudy {
           fmt::format("trace: error: cannot read '{}': {}\n", what_.solution.string(), e.what()));
     }
     if (solution_->width != result_.width || solution_->height != result_.height) {
+      warnings_ += fmt::format("trace: warning: '{}' is {} x {}, the picture {} x {}: it is not compared\n",
+                               what_.solution.string(), solution_->width, solution_->height, result_.width,
+                               result_.height);
       solution_.reset();
     } else {
       result_.solution = what_.solution.string();
@@ -266,6 +270,7 @@ class SceneStudy {
   const StudyScene& what_;
   const StudyOptions& options_;
   NamedPictures& pictures_;
+  std::string& warnings_;
   Scene scene_;
   RenderOptions base_;
   std::optional<SceneTree> tree_, sorted_tree_;  // the second for where everything is modelled
