@@ -217,7 +217,7 @@ TEST_CASE("a study compares with solutions of its pictures' size, which is their
   CHECK(other.at("width") == 16);
   CHECK_FALSE(other.contains("solution"));
   CHECK_FALSE(other.at("results").at(0).contains("solution"));
-  CHECK_THAT(desk.study("--axes samples --seconds 0 --solutions sol -w 8 scenes").errors,
+  CHECK_THAT(desk.study("--axes samples --solutions sol -w 8 scenes").errors,
              Catch::Contains("trace: warning: 'sol/a.png' is "));
   const Outcome none = desk.study("--solutions none scenes");
   CHECK(none.status == 1);
