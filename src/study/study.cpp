@@ -71,6 +71,7 @@ class SceneStudy {
     result_.converged = {truth_.samples, truth_.depth, truth_.error, truth_.seconds, truth_.unsettled, ""};
     read_solution();
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
+      if (picture_height(scene_, base_.width / setting.divisor) < 1) continue;  // of a very wide picture
       result_.settings.push_back({});
       result_.settings.back().setting = std::move(setting);
     }

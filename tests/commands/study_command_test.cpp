@@ -224,6 +224,20 @@ TEST_CASE("a study compares with solutions of its pictures' size, which is their
   CHECK(none.errors == "trace: error: 'none' is not a folder\n");
 }
 
+TEST_CASE("a picture too wide to be made smaller is studied without that") {
+  const StudyDesk desk;
+  desk.add_scene("wide.ray", "camera { aspectratio = 200 }\n" + std::string(sphere));
+  REQUIRE(desk.study("-w 256 --axes samples,resolution -q --json r.json scenes").status == 0);
+  const auto results = desk.json("r.json").at("scenes").at(0).at("results");
+  const auto has = [&](const std::string& name) {
+    return std::any_of(results.begin(), results.end(),
+                       [&](const auto& r) { return r.at("setting") == name; });
+  };
+  CHECK(has("2x2"));
+  CHECK(has("1/2 width"));
+  CHECK_FALSE(has("1/4 width"));
+}
+
 TEST_CASE("a depth that is asked for is the truth's too") {
   const StudyDesk desk;
   desk.add_scene("a.ray",
