@@ -16,8 +16,8 @@ function detailHead(result) {
     element("h2", { id: "detail-name", tabindex: "-1" }, badge(result), " ", result.scene),
     element("div", { class: "tools" },
       failures.length ? element("span", { class: "muted" }, place) : null,
-      failures.length ? button("Previous", () => stepFailure(-1), { "aria-keyshortcuts": "p", title: "Previous failure (p)" }) : null,
-      failures.length ? button("Next", () => stepFailure(1), { "aria-keyshortcuts": "n", title: "Next failure (n)" }) : null,
+      failures.length ? button("Previous", () => stepThrough(failuresInOrder(), -1), { "aria-keyshortcuts": "p", title: "Previous failure (p)" }) : null,
+      failures.length ? button("Next", () => stepThrough(failuresInOrder(), 1), { "aria-keyshortcuts": "n", title: "Next failure (n)" }) : null,
       button("Close", closeDetail, { "aria-keyshortcuts": "Escape" })));
 }
 

@@ -16,26 +16,9 @@ function failuresInOrder() {
   return shown.length ? shown : results.filter((result) => result.failed).sort(compareResults);
 }
 
-// From the open result, or into the list; around at its ends.
-function stepFailure(step) {
-  const failures = failuresInOrder();
-  if (!failures.length) return;
-  const at = failures.indexOf(opened);
-  const next = at < 0 ? (step > 0 ? 0 : failures.length - 1) : (at + step + failures.length) % failures.length;
-  location.hash = addressOf(failures[next]);
-  followAddress();  // now, for the next key
-}
-
-function focusFilter() {
-  closeDetail();
-  const field = document.getElementById("filter-text");
-  field.focus();
-  field.select();
-}
-
 const keyActions = {
-  n: () => stepFailure(1),
-  p: () => stepFailure(-1),
+  n: () => stepThrough(failuresInOrder(), 1),
+  p: () => stepThrough(failuresInOrder(), -1),
   b: () => stage && stage.blink(),
   "/": focusFilter,
   "?": openHelp,

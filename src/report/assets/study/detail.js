@@ -25,8 +25,8 @@ function sceneHead(scene) {
     element("h2", { id: "detail-name", tabindex: "-1" }, scene.scene),
     element("div", { class: "tools" },
       element("span", { class: "muted" }, at < 0 ? count(order.length, "scene") : `${at + 1} of ${count(order.length, "scene")}`),
-      button("Previous", () => stepScene(-1), { "aria-keyshortcuts": "p", title: "Previous scene (p)" }),
-      button("Next", () => stepScene(1), { "aria-keyshortcuts": "n", title: "Next scene (n)" }),
+      button("Previous", () => stepThrough(scenesInOrder(), -1), { "aria-keyshortcuts": "p", title: "Previous scene (p)" }),
+      button("Next", () => stepThrough(scenesInOrder(), 1), { "aria-keyshortcuts": "n", title: "Next scene (n)" }),
       button("Close", closeDetail, { "aria-keyshortcuts": "Escape" })));
 }
 

@@ -12,27 +12,15 @@ const keyHelp = [
   ["Esc", "Close"],
 ];
 
-// In the order of the list, around at its ends.
-function stepScene(step) {
+// Those of the list, in its order; all where it shows none.
+function scenesInOrder() {
   const shown = sceneTable.ordered();
-  const order = shown.length ? shown : scenes;
-  if (!order.length) return;
-  const at = order.indexOf(opened);
-  const next = at < 0 ? (step > 0 ? 0 : order.length - 1) : (at + step + order.length) % order.length;
-  location.hash = addressOf(order[next]);
-  followAddress();  // now, for the next key
-}
-
-function focusFilter() {
-  closeDetail();
-  const field = document.getElementById("filter-text");
-  field.focus();
-  field.select();
+  return shown.length ? shown : scenes;
 }
 
 const keyActions = {
-  n: () => stepScene(1),
-  p: () => stepScene(-1),
+  n: () => stepThrough(scenesInOrder(), 1),
+  p: () => stepThrough(scenesInOrder(), -1),
   b: () => stage && stage.blink(),
   "/": focusFilter,
   "?": openHelp,
