@@ -22,12 +22,22 @@ double difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b) {
 }  // namespace
 
 DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOptions& options, int height,
-                       int deepest, double enough, double most_rays) {
+                       int deepest, double enough, double most_rays, double most_seconds) {
   const auto width = static_cast<std::size_t>(options.width);
   const std::size_t total = width * static_cast<std::size_t>(height), count = std::min(total, most_pixels);
+  // Single pixels say most of the picture; blocks of neighbours cost what the picture's own packets do.
+  const std::size_t block = most_seconds < std::numeric_limits<double>::infinity() ? 4 : 1;
+  const auto pixel = [&](std::size_t k) {
+    const std::size_t of_block = block * block, blocks = std::max<std::size_t>(count / of_block, 1);
+    const std::size_t place = pilot_place(std::min(k / of_block, blocks - 1), blocks, total),
+                      inside = k % of_block;
+    return std::pair(static_cast<int>(std::min(place % width + inside % block, width - 1)),
+                     static_cast<int>(std::min(place / width + inside / block, total / width - 1)));
+  };
   std::vector<std::vector<Rgb>> colors;
   DepthPilot result;
   std::uint64_t rays_before = 0;
+  double all_seconds = 0;
   for (std::size_t rung = 0; rung < std::size(pilot_depths) && result.steps.size() == rung; ++rung) {
     RenderOptions at_depth = options;
     at_depth.depth = std::min(pilot_depths[rung], deepest);
@@ -40,8 +50,7 @@ DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOp
         [&](const FrameRenderer::Sampler& sampler, int first, int, int last, int) {
           SampleSums sums(frame, sampler);
           for (int k = first; k < last; ++k) {
-            const std::size_t place = pilot_place(static_cast<std::size_t>(k), count, total);
-            const int i = static_cast<int>(place % width), j = static_cast<int>(place / width);
+            const auto [i, j] = pixel(static_cast<std::size_t>(k));
             sums.begin(i, j);
             sums.add_grid(i, j, 1);
           }
@@ -65,6 +74,11 @@ DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOp
     const bool still =
         rung > 1 && result.left < enough && difference(colors[rung - 1], colors[rung - 2]) < enough;
     if (still || at_depth.depth == deepest) break;
+    all_seconds += spent.count();
+    if (all_seconds > most_seconds) {
+      result.settled = false;
+      break;
+    }
     if (rung > 0 && result.steps.back().rays_per_sample > most_rays) {
       result.steps.pop_back();
       colors.pop_back();
