@@ -29,11 +29,7 @@ bool render_to_file(const Job& job, const parser::Source& source, SharedImages& 
   LoadedScene loaded = load_scene(source, job.options.width, images);
   messages += loaded.messages;
   if (!loaded.scene) return false;
-  if (!job.cube_map.empty()) {
-    std::string problem;
-    loaded.scene->cube_map = read_cube_map(job.cube_map, images, problem);
-    if (!loaded.scene->cube_map) messages += fmt::format("trace: warning: no cube map: {}\n", problem);
-  }
+  messages += add_cube_map(*loaded.scene, job.cube_map, images);
   for (const auto& [file, hash] : images.asked()) {
     std::error_code ignored;
     if (std::filesystem::equivalent(file, job.picture, ignored)) {

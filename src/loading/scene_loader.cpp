@@ -86,4 +86,11 @@ LoadedScene load_scene(const std::string& file, int width, ImageSource& images) 
   return result;
 }
 
+std::string add_cube_map(Scene& scene, const std::string& one_face, ImageSource& images) {
+  if (one_face.empty()) return "";
+  std::string problem;
+  scene.cube_map = read_cube_map(one_face, images, problem);
+  return scene.cube_map ? "" : fmt::format("trace: warning: no cube map: {}\n", problem);
+}
+
 }  // namespace trace

@@ -36,4 +36,8 @@ LoadedScene load_scene(const parser::Source& source, int width, ImageSource& ima
 // The same from a file; "-" is standard input.
 LoadedScene load_scene(const std::string& file, int width, ImageSource& images);
 
+// Surrounds the scene with the six faces beside this one (scene/cube_map.hpp); "" is none. Where they cannot
+// be had the result is the warning, with its line end, and the scene has no surroundings.
+std::string add_cube_map(Scene& scene, const std::string& one_face, ImageSource& images);
+
 }  // namespace trace

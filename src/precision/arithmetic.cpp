@@ -8,10 +8,9 @@ namespace trace {
 // A format with less could not be the truth of double.
 static_assert(std::numeric_limits<long double>::digits >= 64);
 
-ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const RenderOptions& options,
-                            int threads) {
+ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const SceneTree& tree,
+                            const RenderOptions& options, int threads) {
   const int at_once = threads_or_all(threads);
-  const SceneTree tree(scene, at_once, options.instruction_set);
   switch (arithmetic) {
     case Arithmetic::single:
       return precision::render_as<float>(scene, tree, options, at_once);
@@ -21,6 +20,12 @@ ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const Ren
       break;
   }
   return precision::render_as<long double>(scene, tree, options, at_once);
+}
+
+ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const RenderOptions& options,
+                            int threads) {
+  const SceneTree tree(scene, threads_or_all(threads), options.instruction_set);
+  return render_in(arithmetic, scene, tree, options, threads);
 }
 
 }  // namespace trace

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "acceleration/scene_tree.hpp"
 #include "rendering/options.hpp"
 #include "scene/scene.hpp"
 #include "shading/ray_counts.hpp"
@@ -18,7 +19,7 @@ enum class Arithmetic {
 struct ArithmeticPicture {
   int width = 0, height = 0;
   std::vector<double> colors;  // red, green, blue of each pixel, rows from the top; in [0, 1], not quantised
-  double seconds = 0;          // of wall clock for the rays alone: hierarchies have been built before
+  double seconds = 0;          // of wall clock for the rays alone
   RayCounts rays;
 };
 
@@ -32,6 +33,10 @@ struct ArithmeticPicture {
 // shading count; antialiasing, blocks, instruction set and threads do not. Options must be within the limits
 // of rendering/options.hpp and picture_height() within those of a picture. An undefined channel is black.
 // The same numbers for any number of threads (0: as many as the machine has).
+ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const SceneTree& tree,
+                            const RenderOptions& options, int threads);
+
+// The same, with hierarchies of its own.
 ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const RenderOptions& options,
                             int threads);
 

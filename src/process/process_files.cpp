@@ -78,10 +78,9 @@ std::uint64_t peak_resident(pid_t process) {
   return field_bytes(folder_of(process) + "/status", "\nVmHWM:");
 }
 
-void reset_peak_resident() {
+bool reset_peak_resident() {
   const Descriptor descriptor(open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC));
-  // Where it is refused, peaks are of the whole life of the process.
-  if (descriptor && write(descriptor.get(), "5", 1) < 0) return;
+  return descriptor && write(descriptor.get(), "5", 1) == 1;
 }
 
 std::uint64_t data_size() {

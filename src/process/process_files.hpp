@@ -20,8 +20,9 @@ std::uint64_t proportional_memory(pid_t process);
 
 // The most that was resident since the process started its program or set the mark back.
 std::uint64_t peak_resident(pid_t process);
-// Sets that mark of this process back to what is resident now.
-void reset_peak_resident();
+// Sets that mark of this process back to what is resident now. False where that is refused: peaks are then of
+// the whole life of the process.
+bool reset_peak_resident();
 
 // Private memory of this process that can be written, touched or not: what RLIMIT_DATA limits.
 std::uint64_t data_size();

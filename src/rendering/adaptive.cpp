@@ -1,6 +1,6 @@
 #include "rendering/adaptive.hpp"
 
-#include <atomic>
+#include <algorithm>
 
 #include "rendering/sample_sums.hpp"
 
@@ -103,7 +103,6 @@ class Refinement {
           if (const int n = grids_[contrasts_[index(i, j)]]) {
             sums.begin(i, j);
             sums.add_grid(i, j, n);
-            samples_ += static_cast<std::uint64_t>(n * n);
           } else {
             film_.set(i, j, corners.mean(i, j));
           }
@@ -130,17 +129,12 @@ class Refinement {
                                const int i = static_cast<int>(pixel % width),
                                          j = static_cast<int>(pixel / width);
                                sums.begin(i, j);
-                               const int n = grids_[contrasts_[pixel]];
-                               sums.add_grid(i, j, n);
-                               samples_ += static_cast<std::uint64_t>(n * n);
+                               sums.add_grid(i, j, grids_[contrasts_[pixel]]);
                              }
                              finish(sums);
                            });
     }
   }
-
-  // Beside those at the corners.
-  std::uint64_t samples() const { return samples_; }
 
  private:
   std::size_t index(int i, int j) const {
@@ -181,18 +175,16 @@ class Refinement {
   Film& film_;
   std::vector<std::uint8_t> contrasts_;
   const GridByContrast& grids_;
-  std::atomic<std::uint64_t> samples_ = 0;
   std::vector<std::uint8_t> found_;  // bin of half the range of a pixel's samples; 0 where it has none
 };
 
 }  // namespace
 
-std::uint64_t refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
-                     std::vector<std::uint8_t> contrasts, const GridByContrast& grids) {
+void refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
+            std::vector<std::uint8_t> contrasts, const GridByContrast& grids) {
   Refinement refinement(frame, film, std::move(contrasts), grids);
   refinement.by_corners(corners);
   refinement.follow();
-  return refinement.samples();
 }
 
 void render_adaptive(FrameRenderer& frame, Film& film, const GridByContrast& grids) {

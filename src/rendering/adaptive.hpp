@@ -44,9 +44,8 @@ class CornerSamples {
 // Samples each pixel by its contrast: the mean of n x n samples (uniform.hpp), or of its corners for n = 0.
 // Where samples differ by more than the corners said, half of that counts as a contrast of the pixel and its
 // neighbours too (a line goes on into two or three of the eight), and so on from them.
-// The samples it took, beside those at the corners.
-std::uint64_t refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
-                     std::vector<std::uint8_t> contrasts, const GridByContrast& grids);
+void refine(FrameRenderer& frame, Film& film, const CornerSamples& corners,
+            std::vector<std::uint8_t> contrasts, const GridByContrast& grids);
 
 // All of it.
 void render_adaptive(FrameRenderer& frame, Film& film, const GridByContrast& grids);

@@ -86,7 +86,7 @@ WithinBudget render_within(const Budget& budget, const Scene& scene, const Scene
   Film film(options.width, height, options.keep_colors);
   FrameRenderer frame(scene, tree, options, height, threads_or_all(options.threads), progress);
   const CornerSamples corners(frame);
-  const std::vector<std::uint8_t> contrasts = corners.contrasts(frame);
+  std::vector<std::uint8_t> contrasts = corners.contrasts(frame);
   const SamplingPilot pilot = pilot_sampling(frame, corners, contrasts);
   // Where the depth alone is beyond what is asked, samples are to cost no more than if it were not.
   const double asked = square(for_error ? aim * budget.error : negligible_error);
@@ -94,7 +94,9 @@ WithinBudget render_within(const Budget& budget, const Scene& scene, const Scene
   const double most_samples =
       for_error ? no_limit : std::max(0.0, left()) / std::max(pilot.seconds_per_sample, 1e-12);
   const Allocation allocation = allocate(pilot, most_square, most_samples);
-  const std::uint64_t samples = refine(frame, film, corners, contrasts, allocation.grids);
+  const std::uint64_t before = frame.counts().primary;
+  refine(frame, film, corners, std::move(contrasts), allocation.grids);
+  const std::uint64_t samples = frame.counts().primary - before;
 
   outcome.grids = allocation.grids;
   outcome.samples_per_pixel = (corners_count + static_cast<double>(samples)) / pixels;

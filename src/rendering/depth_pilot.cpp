@@ -38,7 +38,7 @@ DepthPilot pilot_depth(const Scene& scene, const SceneTree& tree, const RenderOp
   DepthPilot result;
   std::uint64_t rays_before = 0;
   double all_seconds = 0;
-  for (std::size_t rung = 0; rung < std::size(pilot_depths) && result.steps.size() == rung; ++rung) {
+  for (std::size_t rung = 0; rung < std::size(pilot_depths); ++rung) {
     RenderOptions at_depth = options;
     at_depth.depth = std::min(pilot_depths[rung], deepest);
     const auto begin = std::chrono::steady_clock::now();

@@ -39,9 +39,7 @@ class SampleSums {
   // undefined in any sample is 0.
   template <class Visit>
   void finish(Visit&& visit) {
-    trace();
-    for (const Pixel& p : pixels_) visit(p.i, p.j, p.sum.value / static_cast<double>(p.count));
-    pixels_.clear();
+    finish_with_ranges([&](int i, int j, const Rgb& mean, double) { visit(i, j, mean); });
   }
   // The same with visit(i, j, mean, range), the largest difference of any channel between the samples.
   template <class Visit>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/front.hpp"
+#include "study/competition.hpp"
 
 namespace trace {
 namespace {
@@ -97,14 +97,8 @@ double speed_up_at_equal_error(const SceneResult& scene, Axis axis) {
 Overall overall(std::span<const SceneResult> scenes) {
   Overall result;
   result.scenes = scenes.size();
-  std::vector<const Setting*> settings;
   GeometricMean adaptive, course, needs, single;
   for (const SceneResult& scene : scenes) {
-    for (const SettingResult& own : scene.settings) {
-      const auto same = [&](const Setting* other) { return other->name == own.setting.name; };
-      const bool counts = !own.setting.arithmetic && own.setting.axis != Axis::needs;
-      if (counts && std::none_of(settings.begin(), settings.end(), same)) settings.push_back(&own.setting);
-    }
     const auto add_speed_up = [&](GeometricMean& mean, Axis axis) {
       if (const double times = speed_up_at_equal_error(scene, axis); times > 0) mean.add(times);
     };
@@ -115,12 +109,10 @@ Overall overall(std::span<const SceneResult> scenes) {
     const SettingResult *in_float = find(scene, "float"), *in_double = find(scene, "double");
     if (in_float && in_double) single.add(in_double->time.median / in_float->time.median);
   }
-  // By axis, and in the order of their first scene.
-  std::stable_sort(settings.begin(), settings.end(),
-                   [](const Setting* a, const Setting* b) { return a->axis < b->axis; });
 
   std::vector<Cost> costs;
-  for (const Setting* setting : settings) {
+  for (const Setting* setting : settings_of(scenes)) {
+    if (!competes(*setting)) continue;
     GeometricMean time, error;
     for (const SceneResult& scene : scenes) {
       const SettingResult *own = find(scene, setting->name), *base = find(scene, base_setting);

@@ -1,6 +1,7 @@
 #include "study/study.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,12 +10,12 @@
 #include "comparison/measure.hpp"
 #include "image/png.hpp"
 #include "loading/scene_loader.hpp"
+#include "process/process_files.hpp"
 #include "rendering/budget.hpp"
 #include "rendering/film.hpp"
 #include "rendering/render.hpp"
+#include "study/competition.hpp"
 #include "study/converged.hpp"
-#include "study/front.hpp"
-#include "study/peak_memory.hpp"
 
 namespace trace {
 namespace {
@@ -57,7 +58,6 @@ class SceneStudy {
         base_(what.options) {
     base_.threads = threads_or_all(options.threads);
     tree_.emplace(scene_, base_.threads, base_.instruction_set);
-    sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
   }
 
   SceneResult study() {
@@ -72,6 +72,8 @@ class SceneStudy {
     read_solution();
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
       if (picture_height(scene_, base_.width / setting.divisor) < 1) continue;  // of a very wide picture
+      if (setting.options.shading.model_everything)
+        sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
       result_.settings.push_back({});
       result_.settings.back().setting = std::move(setting);
     }
@@ -88,11 +90,7 @@ class SceneStudy {
     LoadedScene loaded = load_scene(what.file, what.options.width, images);
     if (!loaded.scene) throw StudyError(loaded.messages);
     warnings += loaded.messages;
-    if (!what.cube_map.empty()) {
-      std::string problem;
-      loaded.scene->cube_map = read_cube_map(what.cube_map, images, problem);
-      if (!loaded.scene->cube_map) warnings += fmt::format("trace: warning: no cube map: {}\n", problem);
-    }
+    warnings += add_cube_map(*loaded.scene, what.cube_map, images);
     return std::move(*loaded.scene);
   }
 
@@ -120,7 +118,7 @@ class SceneStudy {
     options.keep_colors = keep;
     Run result;
     if (setting.arithmetic) {
-      ArithmeticPicture picture = render_in(*setting.arithmetic, scene_, options, options.threads);
+      ArithmeticPicture picture = render_in(*setting.arithmetic, scene_, *tree_, options, options.threads);
       result.milliseconds = picture.seconds * 1000;
       result.rays = picture.rays;
       if (keep) {
@@ -146,9 +144,9 @@ class SceneStudy {
 
   void warm_up() {
     for (SettingResult& own : result_.settings) {
-      const bool counted = forget_peak_memory();
+      const bool counted = reset_peak_resident();
       Run first = run(own.setting, true);
-      own.memory = counted ? peak_memory() : 0;
+      own.memory = counted ? peak_resident(getpid()) : 0;
       own.rays = first.rays;
       if (own.setting.divisor > 1) first.colors = enlarged(first.colors, result_.width, result_.height);
       own.error = picture_error(first.colors, truth_.colors);
@@ -224,19 +222,8 @@ class SceneStudy {
     return result;
   }
 
-  static bool takes_part(const Setting& setting) {
-    return !setting.arithmetic && setting.axis != Axis::needs;
-  }
-
   void mark_front() {
-    std::vector<Cost> costs;
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < result_.settings.size(); ++k) {
-      const SettingResult& own = result_.settings[k];
-      if (!takes_part(own.setting)) continue;
-      costs.push_back({own.time.median, own.error.root_mean_square});
-      places.push_back(k);
-    }
+    const auto [costs, places] = competitors(result_);
     const std::vector<bool> front = pareto_front(costs);
     for (std::size_t k = 0; k < places.size(); ++k) result_.settings[places[k]].front = front[k];
     // The fastest with no more than a level of error; else the most accurate.
@@ -274,7 +261,8 @@ class SceneStudy {
   std::string& warnings_;
   Scene scene_;
   RenderOptions base_;
-  std::optional<SceneTree> tree_, sorted_tree_;  // the second for where everything is modelled
+  std::optional<SceneTree> tree_;
+  std::optional<SceneTree> sorted_tree_;  // for where everything is modelled, if that is asked for
   Converged truth_;
   bool fixed_depth_ = false;  // deeper is not truth
   std::optional<Raster> solution_;

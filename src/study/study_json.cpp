@@ -1,9 +1,8 @@
 #include "study/study_json.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "study/front.hpp"
+#include "study/competition.hpp"
 
 namespace trace {
 namespace {
@@ -24,17 +23,8 @@ Json axes_json() {
 
 // Each setting that any scene has, by axis.
 Json settings_json(std::span<const SceneResult> scenes) {
-  std::vector<const Setting*> settings;
-  for (const SceneResult& scene : scenes) {
-    for (const SettingResult& own : scene.settings) {
-      const auto same = [&](const Setting* other) { return other->name == own.setting.name; };
-      if (std::none_of(settings.begin(), settings.end(), same)) settings.push_back(&own.setting);
-    }
-  }
-  std::stable_sort(settings.begin(), settings.end(),
-                   [](const Setting* a, const Setting* b) { return a->axis < b->axis; });
   Json result = Json::array();
-  for (const Setting* setting : settings) {
+  for (const Setting* setting : settings_of(scenes)) {
     result.push_back({{"name", setting->name},
                       {"axis", text_of(setting->axis).name},
                       {"text", setting->text},
@@ -90,26 +80,14 @@ const SettingResult* step_before(const SceneResult& scene, std::size_t k) {
   return refines ? &scene.settings.front() : nullptr;
 }
 
-bool competes(const Setting& setting) {
-  return !setting.arithmetic && setting.axis != Axis::needs;
-}
-
 Json fastest_json(const SceneResult& scene) {
-  std::vector<Cost> costs;
-  std::vector<const SettingResult*> settings;
-  for (const SettingResult& own : scene.settings) {
-    if (!competes(own.setting)) continue;
-    costs.push_back({own.time.median, own.error.root_mean_square});
-    settings.push_back(&own);
-  }
   Json result = Json::array();
   for (const double error : asked_errors) {
     Json line = {{"below", error}};
-    if (const int best = fastest_within(costs, error); best >= 0) {
-      const SettingResult& own = *settings[static_cast<std::size_t>(best)];
-      line["setting"] = own.setting.name;
-      line["ms"] = own.time.median;
-      line["rms"] = own.error.root_mean_square;
+    if (const SettingResult* own = fastest_within(scene, error)) {
+      line["setting"] = own->setting.name;
+      line["ms"] = own->time.median;
+      line["rms"] = own->error.root_mean_square;
     }
     result.push_back(line);
   }

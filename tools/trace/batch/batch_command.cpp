@@ -1,6 +1,5 @@
 #include "tools/trace/batch/batch_command.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include "tools/trace/batch/batch_jobs.hpp"
 #include "tools/trace/batch/batch_progress.hpp"
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/report_info.hpp"
 #include "tools/trace/text_output.hpp"
 
 namespace trace {
@@ -77,9 +77,8 @@ struct Outputs {
 int run(const BatchArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   BatchInfo info;
-  info.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  info.title =
-      fs::absolute(arguments.folder / fs::path(".")).lexically_normal().parent_path().filename().string();
+  info.started = time_text();
+  info.title = title_text(arguments.folder);
   info.command = arguments.command;
 
   const SignalWatch signals;

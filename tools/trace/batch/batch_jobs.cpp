@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "batch/batch_files.hpp"
+#include "batch/folder_scenes.hpp"
 #include "batch/foreign_renderer.hpp"
 #include "batch/solutions.hpp"
 #include "report/plain_text.hpp"
@@ -81,25 +81,18 @@ class Planner {
       plan_.warnings += file.messages;
       common_.settings.push_back(file);
     }
-    BatchFiles files(arguments_.folder, plan_.warnings);
-    const SceneList list = find_scenes(arguments_.folder, arguments_.filter);
-    for (const std::string& problem : list.problems) {
-      plan_.warnings += fmt::format("trace: error: {}\n", problem);
-      plan_.incomplete = true;
-    }
-    for (const std::string& scene : list.scenes) {
-      if (const auto options = files.of(scene)) add(scene, *options);
-    }
+    const FolderScenes found = scenes_of_folder(arguments_.folder, arguments_.filter, common_);
+    plan_.warnings += found.messages;
+    plan_.incomplete = !found.complete;
+    for (const auto& [scene, options] : found.scenes) add(scene, options);
     check_solutions();
-    if (!files.valid()) throw BatchError(plan_.warnings);
+    if (!found.valid) throw BatchError(plan_.warnings);
     set_tolerances();
     return std::move(plan_);
   }
 
  private:
-  void add(const std::string& scene, const SceneOptions& own) {
-    SceneOptions options = common_;
-    options.add(own);
+  void add(const std::string& scene, const SceneOptions& options) {
     Job job;
     job.name = valid_utf8_or_escaped(scene);
     job.scene = (fs::path(arguments_.folder) / scene).string();

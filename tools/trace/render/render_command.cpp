@@ -93,13 +93,6 @@ double seconds_to_write(const Scene& scene, const RenderOptions& options) {
   return 0.001 + 25e-9 * options.width * picture_height(scene, options.width);
 }
 
-void add_cube_map(const Arguments& arguments, ImageSource& images, Scene& scene) {
-  if (arguments.cube_map.empty()) return;
-  std::string problem;
-  scene.cube_map = read_cube_map(arguments.cube_map, images, problem);
-  if (!scene.cube_map) say(arguments, fmt::format("warning: no cube map: {}", problem));
-}
-
 // Both forms of the report, if they are asked for.
 void report(const Statistics& statistics, const Arguments& arguments, TextOutput& json) {
   if (arguments.stats) fmt::print(stderr, "{}", to_text(statistics));
@@ -129,7 +122,8 @@ int run(Arguments& arguments) {
     fmt::print(stderr, "{}", loaded.messages);
   if (!loaded.scene) return exit_bad_input;
   Scene& scene = *loaded.scene;
-  add_cube_map(arguments, images, scene);
+  const std::string no_cube_map = add_cube_map(scene, arguments.cube_map, images);
+  if (!arguments.quiet) fmt::print(stderr, "{}", no_cube_map);
   clock.lap(Stage::load);
 
   // Not sooner: up to here the program may start over (image/start_over.hpp).

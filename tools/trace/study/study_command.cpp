@@ -1,6 +1,5 @@
 #include "tools/trace/study/study_command.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,6 +14,7 @@
 #include "report/study_svg.hpp"
 #include "study/study_json.hpp"
 #include "tools/trace/exit_status.hpp"
+#include "tools/trace/report_info.hpp"
 #include "tools/trace/study/study_scenes.hpp"
 #include "tools/trace/study/study_text.hpp"
 #include "tools/trace/text_output.hpp"
@@ -32,15 +32,6 @@ std::string processor_name() {
     if (line.starts_with("model name") && colon != line.npos) return line.substr(colon + 2);
   }
   return "unknown";
-}
-
-std::string title_of(const StudyArguments& arguments) {
-  if (arguments.scenes.size() > 1) return fmt::format("{} scenes", arguments.scenes.size());
-  return fs::absolute(arguments.scenes.front() / fs::path("."))
-      .lexically_normal()
-      .parent_path()
-      .filename()
-      .string();
 }
 
 // Everything that the results go to, opened before there are any.
@@ -63,8 +54,9 @@ class StudyRun {
   int run() {
     const auto begin = std::chrono::steady_clock::now();
     StudyInfo info;
-    info.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-    info.title = title_of(arguments_);
+    info.started = time_text();
+    const std::vector<std::string>& scenes = arguments_.scenes;
+    info.title = scenes.size() > 1 ? fmt::format("{} scenes", scenes.size()) : title_text(scenes.front());
     info.command = arguments_.command;
     info.program = version_text;
     info.processor = processor_name();

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "batch/batch_files.hpp"
-#include "batch/scene_list.hpp"
+#include "batch/folder_scenes.hpp"
 #include "batch/solutions.hpp"
 #include "image/image.hpp"
 #include "loading/settings_file.hpp"
@@ -46,22 +45,15 @@ class StudyPlanner {
 
  private:
   void add_folder(const std::string& folder) {
-    BatchFiles files(folder, plan_.warnings);
-    const SceneList list = find_scenes(folder, {});
-    for (const std::string& problem : list.problems) {
-      plan_.warnings += fmt::format("trace: error: {}\n", problem);
-      plan_.incomplete = true;
-    }
+    const FolderScenes found = scenes_of_folder(folder, {}, common_);
+    plan_.warnings += found.messages;
+    plan_.incomplete |= !found.complete;
     const bool alone = arguments_.scenes.size() == 1;
-    for (const std::string& scene : list.scenes) {
-      const auto own = files.of(scene);
-      if (!own) continue;
-      SceneOptions options = common_;
-      options.add(*own);
+    for (const auto& [scene, options] : found.scenes) {
       const std::string file = (fs::path(folder) / scene).string();
       add(alone ? scene : file, file, solution_of(scene), options);
     }
-    if (!files.valid()) throw StudyPlanError(plan_.warnings);
+    if (!found.valid) throw StudyPlanError(plan_.warnings);
   }
 
   fs::path solution_of(const std::string& scene) {

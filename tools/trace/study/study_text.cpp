@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "study/front.hpp"
+#include "study/competition.hpp"
 
 namespace trace {
 namespace {
@@ -15,10 +15,6 @@ std::string digits(double value) {
   if (value >= 100) return fmt::format("{:.0f}", value);
   if (value >= 10) return fmt::format("{:.1f}", value);
   return value >= 0.001 ? fmt::format("{:.3g}", value) : fmt::format("{:.1e}", value);
-}
-
-bool in_front_table(const Setting& setting) {
-  return !setting.arithmetic && setting.axis != Axis::needs;
 }
 
 }  // namespace
@@ -37,8 +33,6 @@ std::string scene_text(const SceneResult& scene) {
   text += fmt::format("  {:<22} {:>9} {:>19}  {:>8} {:>8}  {:>10}\n", "setting", "ms", "", "error", "largest",
                       "rays");
   Axis axis = scene.settings.front().setting.axis;
-  std::vector<Cost> costs;
-  std::vector<const SettingResult*> competing;
   for (const SettingResult& own : scene.settings) {
     if (own.setting.axis != axis) text += '\n';
     axis = own.setting.axis;
@@ -48,19 +42,14 @@ std::string scene_text(const SceneResult& scene) {
                     fmt::format("({} to {}, {})", digits(own.time.low), digits(own.time.high), own.time.runs),
                     digits(own.error.root_mean_square), digits(own.error.largest), own.rays.total(),
                     own.same_picture ? (*own.same_picture ? "  the same picture" : "  ANOTHER PICTURE") : "");
-    if (!in_front_table(own.setting)) continue;
-    costs.push_back({own.time.median, own.error.root_mean_square});
-    competing.push_back(&own);
   }
   text += "  * no setting is both faster and better; ms: median (interval, runs); error: RMSE in levels\n";
   for (const double error : asked_errors) {
-    const int best = fastest_within(costs, error);
-    if (best < 0) {
-      text += fmt::format("for an error below {:g} none of these is enough\n", error);
+    if (const SettingResult* own = fastest_within(scene, error)) {
+      text += fmt::format("for an error below {:g} the fastest is {}: {} ms\n", error, own->setting.name,
+                          digits(own->time.median));
     } else {
-      const SettingResult& own = *competing[static_cast<std::size_t>(best)];
-      text += fmt::format("for an error below {:g} the fastest is {}: {} ms\n", error, own.setting.name,
-                          digits(own.time.median));
+      text += fmt::format("for an error below {:g} none of these is enough\n", error);
     }
   }
   return text;

@@ -1,7 +1,8 @@
 // The most memory that was resident.
-#include "study/peak_memory.hpp"
+#include "process/process_files.hpp"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 
@@ -33,17 +34,17 @@ class TouchedPages {
 }  // namespace
 
 TEST_CASE("memory that is touched shows in the peak, and is still in it when it has been given back") {
-  const bool fresh = forget_peak_memory();
-  const std::uint64_t before = peak_memory();
+  const bool fresh = reset_peak_resident();
+  const std::uint64_t before = peak_resident(getpid());
   REQUIRE(before > mebibyte);
   {
     // Beyond what an earlier peak may hide where it could not be forgotten.
     const TouchedPages pages((fresh ? 64 : 64 + before / mebibyte) * mebibyte);
     REQUIRE(pages.there());
-    CHECK(peak_memory() > before + 60 * mebibyte);
+    CHECK(peak_resident(getpid()) > before + 60 * mebibyte);
   }
-  CHECK(peak_memory() > before + 60 * mebibyte);
-  if (forget_peak_memory()) CHECK(peak_memory() < before + 32 * mebibyte);
+  CHECK(peak_resident(getpid()) > before + 60 * mebibyte);
+  if (reset_peak_resident()) CHECK(peak_resident(getpid()) < before + 32 * mebibyte);
 }
 
 }  // namespace trace::test
