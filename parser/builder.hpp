@@ -25,7 +25,10 @@ class Builder {
   // False if this program cannot read the version.
   bool version(double number, Span span);
 
-  void add_item(Item item) { scene_.items.push_back(std::move(item)); }
+  template <class What>
+  void add_item(What what) {
+    scene_.items.emplace_back(std::move(what));
+  }
 
   // Cameras. The block that is being read is kept here, as lights and primitives are: none of them nest.
   void begin_camera();

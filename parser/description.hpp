@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -37,20 +38,41 @@ enum class Parameter : std::uint8_t {
   diffuse,
   specular,
   reflective,
-  transmissive,  // colours
+  transmissive,
+  absorb,  // colours, up to here
   index,
-  shininess  // numbers
+  shininess,
+  glossiness,      // numbers, up to here
+  bump,            // a map of heights
+  normal,          // a map of normals
+  anisotropy,      // a map of highlights along a cylinder (anisotropic_specular)
+  specular_model,  // a word: "phong" or "blinn-phong"
 };
 
+// map("file"), or the bare string "file".
 struct MapFile {
-  std::string file;  // as written in map("file")
+  std::string file;   // as written, but with '/' for each '\\' where there is no '/'
+  bool bare = false;  // without map( )
+  // map("file", "over", threshold): the second picture is laid over the first where it is brighter.
+  std::string over{};  // empty: none
+  double threshold = 0;
 };
 
-// One `parameter = value` of a material. `value` is a number for index and shininess, three for the colours,
-// or the file of a map for either.
+// marble { ... } and perlin_noise = { ... }: a colour that is computed at each point of space.
+struct SolidTexture {
+  enum class Kind : std::uint8_t { marble, perlin_noise };
+  Kind kind{};
+  std::optional<Vector3> color;  // marble
+  std::optional<Scalar> lightness, contrast, frequency;
+  std::optional<Located<std::array<double, 3>>> scale;  // one number counts for all three
+  std::optional<Scalar> depth;                          // also turbulence_depth
+};
+
+// One `parameter = value` of a material. `value` is a number for the numbers, three for the colours, a word
+// for specular_model, or the file of a map; colours may be solid textures.
 struct MaterialAssignment {
   Parameter parameter{};
-  std::variant<double, std::array<double, 3>, MapFile> value;
+  std::variant<double, std::array<double, 3>, MapFile, SolidTexture, std::string> value;
   Span span;        // the whole assignment
   Span value_span;  // its right-hand side
 };
@@ -87,10 +109,12 @@ struct VertexMaterials {
 // --- cameras and lights ------------------------------------------------------------------------------------
 
 // One camera block. Blocks accumulate: an attribute of a later block replaces that of an earlier one.
-// viewdir and updir are both given or both absent.
+// viewdir and updir are both given or both absent; look_at may stand without updir, and not beside viewdir.
 struct Camera {
-  std::optional<Vector3> position, viewdir, updir;
+  std::optional<Vector3> position, viewdir, updir, look_at;
   std::optional<Scalar> fov, aspectratio;
+  std::optional<Located<bool>> orthographic;  // projection =
+  std::optional<Scalar> height;               // of what an orthographic camera sees
   std::optional<Vector4> quaternion;
   Span span;
 };
@@ -109,6 +133,48 @@ struct PointLight {
   Vector3 position, color;
   std::optional<Scalar> constant, linear, quadratic;  // attenuation coefficients
   Span span;
+};
+
+// The lights of the dialects: what they are called, and their attributes as they are written, each once. What
+// they mean, and which go together, is worked out in src/scene/dialect_lights.hpp.
+struct DialectLight {
+  enum class Kind : std::uint8_t { spot, area, area_rectangle, area_disc, shape, warn, warn_model };
+  struct Attribute {
+    std::string_view word;  // of the table in parser/vocabulary.cpp: "cone_angle", "edgeplace"
+    std::variant<double, std::array<double, 3>> value;
+    Span span;        // of the word
+    Span value_span;  // of the value
+  };
+  Kind kind{};
+  std::string_view word;  // "spot_light"
+  std::vector<Attribute> attributes;
+  Span keyword, span;
+
+  const Attribute* find(std::string_view name) const {
+    for (const Attribute& attribute : attributes) {
+      if (attribute.word == name) return &attribute;
+    }
+    return nullptr;
+  }
+};
+
+// --- surroundings ------------------------------------------------------------------------------------------
+
+// cubemap { ... } and skybox { ... }: six faces, or one file of a set as the option -c takes it. In the order
+// +x -x +y -y, and of z the face seen along -z, then the one seen along +z, as CubeMap has them
+// (src/scene/cube_map.hpp). Of a skybox: right left top bottom front back.
+struct Surroundings {
+  bool skybox = false;
+  std::array<std::optional<Name>, 6> faces;
+  std::optional<Name> file;
+  Span keyword, span;
+};
+
+// fog { ... }
+struct Fog {
+  std::optional<Vector3> color, axis;
+  std::optional<Scalar> start, end, density;
+  Span keyword, span;
 };
 
 // --- elements ----------------------------------------------------------------------------------------------
@@ -130,16 +196,19 @@ struct MaterialList {
 };
 
 // trimesh and polymesh. All indices are checked: every corner is less than the number of points, every face
-// has at least three corners, normals and materials are as many as the points or none.
+// has at least three corners; normals, texture coordinates and materials are as many as the points or none.
+// With `file` there are no lists.
 struct Mesh {
   std::vector<double> points;             // 3 numbers a point
   std::vector<double> normals;            // 3 numbers a normal
   std::vector<std::uint32_t> corners;     // indices into points, face after face
   std::vector<std::uint32_t> face_sizes;  // corners of each face; empty when every face is a triangle
   VertexMaterials vertex_materials;
+  std::vector<double> texture_coordinates;  // 2 numbers a point: texture_uv, map_points
   bool generate_normals = false;
+  std::optional<Name> file;  // objfile: an OBJ file that says the rest
 
-  std::vector<ListSpan> point_lists, normal_lists, face_lists;
+  std::vector<ListSpan> point_lists, normal_lists, face_lists, coordinate_lists;
   std::vector<MaterialList> material_lists;
 };
 
@@ -156,11 +225,48 @@ struct MeshId {
 struct Sphere {};
 struct Box {};
 struct Square {};
-struct Cylinder {};
+struct Cylinder {
+  std::optional<Located<bool>> capped;
+};
+
+// Without an end: through `point` (the origin), its front towards `normal` (+z).
+struct Plane {
+  std::optional<Vector3> point, normal;
+};
+
+// About the z axis. major_radius, minor_radius; also radius and ring_radius, and a and b.
+struct Torus {
+  std::optional<Scalar> major_radius, minor_radius;
+};
+
+// quadric, paraboloid, hyperboloid, hyperbolic and hyperbolic_paraboloid.
+struct Quadric {
+  enum class Kind : std::uint8_t { general, paraboloid, hyperboloid, hyperbolic, hyperbolic_paraboloid };
+  Kind kind{};
+  // Of a general one, as it is written: rows of three numbers, `points = (...)`.
+  std::vector<double> coefficients;
+  std::optional<Span> coefficients_span;
+  std::optional<Scalar> a, b, lower_bound, upper_bound;  // of a paraboloid
+  std::optional<Scalar> type_x;                          // of a hyperboloid
+};
+
+// A tube around a knot.
+struct TorusKnot {
+  std::optional<Scalar> radius, tube, p, q;
+};
+
+// A picture of heights over the unit square.
+struct HeightField {
+  std::optional<Name> height_map, color_map;
+  bool generate_normals = false;
+};
 
 struct Primitive {
-  std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId> shape;
+  std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId, Plane, Torus, Quadric, TorusKnot, HeightField>
+      shape;
   std::vector<Material> materials;  // each `material =` in order; the last one counts
+  // Maps given beside the material, not in it (diffuse_map, bump_map, ...): they apply on top of it.
+  std::vector<MaterialAssignment> maps;
   std::optional<Name> name;
 };
 
@@ -195,10 +301,15 @@ struct Element {
 // --- the scene ---------------------------------------------------------------------------------------------
 
 // What stands at the top level, in file order. An ElementId is the root of a tree in `elements`.
-using Item = std::variant<Camera, AmbientLight, DirectionalLight, PointLight, Material, ElementId>;
+using Item = std::variant<Camera, AmbientLight, DirectionalLight, PointLight, DialectLight, Surroundings, Fog,
+                          Material, ElementId>;
+
+// Families of the language whose meaning differs (docs/language.md section 14).
+enum class Dialect : std::uint8_t { utexas, uw, hkust };
 
 struct Scene {
   double version = 0;
+  Dialect dialect = Dialect::utexas;
   std::vector<Item> items;
   std::vector<Element> elements;
   std::vector<Mesh> meshes;

@@ -72,6 +72,9 @@ class SceneBuilder {
     scene_.lights.emplace_back(result);
   }
 
+  void add(const parser::DialectLight&) {}
+  void add(const parser::Surroundings&) {}
+  void add(const parser::Fog&) {}
   void add(const parser::Material&) {}  // part of the graph
   void add(parser::ElementId) {}        // part of the graph
 
@@ -182,6 +185,12 @@ class SceneBuilder {
   std::optional<Shape> make_shape(const parser::Box&, const GraphObject&) { return Box{}; }
   std::optional<Shape> make_shape(const parser::Square&, const GraphObject&) { return Square{}; }
   std::optional<Shape> make_shape(const parser::Cylinder&, const GraphObject&) { return Cylinder{}; }
+
+  std::optional<Shape> make_shape(const parser::Plane&, const GraphObject&) { return std::nullopt; }
+  std::optional<Shape> make_shape(const parser::Torus&, const GraphObject&) { return std::nullopt; }
+  std::optional<Shape> make_shape(const parser::Quadric&, const GraphObject&) { return std::nullopt; }
+  std::optional<Shape> make_shape(const parser::TorusKnot&, const GraphObject&) { return std::nullopt; }
+  std::optional<Shape> make_shape(const parser::HeightField&, const GraphObject&) { return std::nullopt; }
 
   std::optional<Shape> make_shape(const parser::Cone& cone, const GraphObject&) {
     return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1,

@@ -28,7 +28,9 @@ std::optional<FarAway> find_far_away(const Bounds& local, const Mat4& to_world) 
 }
 
 std::string name_of(const decltype(parser::Primitive::shape)& shape) {
-  static constexpr const char* names[] = {"sphere", "box", "square", "cylinder", "cone", "trimesh"};
+  static constexpr const char* names[] = {"sphere",  "box",        "square",      "cylinder",
+                                          "cone",    "trimesh",    "plane",       "torus",
+                                          "quadric", "torus_knot", "height_field"};
   static_assert(std::variant_size_v<decltype(parser::Primitive::shape)> == std::size(names));
   return names[shape.index()];
 }

@@ -29,7 +29,7 @@ ColorSlot color_slot(MappedMaterial& m, Parameter parameter) {
       return {&m.values.transmissive, nullptr, "transmissive"};
     case Parameter::index:
       return {&m.values.index, &m.index, "index"};
-    case Parameter::shininess:
+    default:
       break;
   }
   return {&m.values.shininess, &m.shininess, "shininess"};
