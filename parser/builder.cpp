@@ -64,6 +64,26 @@ Material Builder::reference(Name name) {
   return {std::move(name), span};
 }
 
+MaterialBlock Builder::specular_model(MaterialBlock block, const Name& name, Span span) {
+  if (name.value != "phong" && name.value != "blinn-phong") {
+    diagnostics_
+        .error(name.span,
+               fmt::format("unknown specular model {}: write phong or blinn-phong", in_quotes(name.value)))
+        .suggestion = closest(name.value, {"phong", "blinn-phong"});
+  }
+  return assign(std::move(block), Parameter::specular_model, {{}, name.value, {}, name.span}, span);
+}
+
+MapFile Builder::map(std::string_view file) {
+  return {std::string(file), false, {}, 0};
+}
+MapFile Builder::map(std::string_view file, std::string_view over, double threshold) {
+  return {std::string(file), false, std::string(over), threshold};
+}
+MapFile Builder::bare_map(std::string_view file) {
+  return {std::string(file), true, {}, 0};
+}
+
 // --- elements ----------------------------------------------------------------------------------------------
 
 ElementId Builder::open(decltype(Element::what) what, Span keyword) {
@@ -93,19 +113,48 @@ ElementId Builder::material_element(Material material) {
 
 void Builder::begin_primitive(decltype(Primitive::shape) shape, Span keyword) {
   primitive_ = {};
-  primitive_.shape = shape;
+  primitive_.shape = std::move(shape);
   primitive_keyword_ = keyword;
   errors_before_ = diagnostics_.error_count();
 }
 
 ElementId Builder::end_primitive(Span span) {
   if (const auto* id = std::get_if<MeshId>(&primitive_.shape)) {
-    if (!errors_since_begin())
-      check_mesh(source_, scene_.meshes[id->index], primitive_keyword_, diagnostics_);
+    const Mesh& mesh = scene_.meshes[id->index];
+    if (!errors_since_begin() && mesh.file && !mesh.has_no_lists()) {
+      diagnostics_.error(mesh_file_word_, "a mesh takes 'objfile' or lists, not both");
+    } else if (!errors_since_begin()) {
+      check_mesh(source_, mesh, primitive_keyword_, diagnostics_);
+    }
   }
   const ElementId element = open(std::move(primitive_), primitive_keyword_);
   scene_.elements[element].span = span;
   return element;
+}
+
+void Builder::begin_quadric(Quadric::Kind kind, Span keyword) {
+  Quadric quadric;
+  quadric.kind = kind;
+  begin_primitive(std::move(quadric), keyword);
+}
+
+void Builder::coefficients(std::vector<double> numbers, Span span) {
+  shape<Quadric>().coefficients = std::move(numbers);
+  shape<Quadric>().coefficients_span = span;
+}
+
+void Builder::coefficients_in_rows(Span span) {
+  shape<Quadric>().coefficients_span = span;
+}
+
+void Builder::map_beside(Parameter parameter, MaterialAssignment value, Span span) {
+  value.parameter = parameter;
+  value.span = span;
+  primitive_.maps.push_back(std::move(value));
+}
+
+void Builder::noise_beside(SolidTexture noise, Span span, Span value_span) {
+  primitive_.maps.push_back({Parameter::diffuse, std::move(noise), span, value_span});
 }
 
 // --- meshes ------------------------------------------------------------------------------------------------
@@ -116,16 +165,30 @@ void Builder::begin_mesh(Span keyword) {
 }
 
 ListStop Builder::read_list(Kind attribute, Span open) {
+  if (auto* quadric = std::get_if<Quadric>(&primitive_.shape)) {
+    return read_tuples(3, source_, open.end, quadric->coefficients, diagnostics_);
+  }
   Mesh& mesh = scene_.meshes.back();
-  const bool faces = attribute == T::FACES;
-  std::vector<double>& numbers = attribute == T::NORMALS ? mesh.normals : mesh.points;
-  const std::uint64_t first = faces ? mesh.corners.size() : numbers.size();
-  const ListStop stop = faces ? read_faces(source_, open.end, mesh.corners, mesh.face_sizes, diagnostics_)
-                              : read_triples(source_, open.end, numbers, diagnostics_);
-  const std::uint64_t count = (faces ? mesh.corners.size() : numbers.size()) - first;
-  auto& lists = faces ? mesh.face_lists : attribute == T::NORMALS ? mesh.normal_lists : mesh.point_lists;
-  lists.push_back({first, count, {open.begin, stop.offset}});
-  return stop;
+  const auto read = [&](auto& values, std::vector<ListSpan>& lists, const auto& reader) {
+    const std::uint64_t first = values.size();
+    const ListStop stop = reader();
+    lists.push_back({first, values.size() - first, {open.begin, stop.offset}});
+    return stop;
+  };
+  const auto tuples = [&](std::size_t numbers, std::vector<double>& values, std::vector<ListSpan>& lists) {
+    return read(values, lists, [&] { return read_tuples(numbers, source_, open.end, values, diagnostics_); });
+  };
+  switch (attribute) {
+    case T::FACES:
+      return read(mesh.corners, mesh.face_lists,
+                  [&] { return read_faces(source_, open.end, mesh.corners, mesh.face_sizes, diagnostics_); });
+    case T::NORMALS:
+      return tuples(3, mesh.normals, mesh.normal_lists);
+    case T::TEXTURE_UV:
+      return tuples(2, mesh.texture_coordinates, mesh.coordinate_lists);
+    default:
+      return tuples(3, mesh.points, mesh.point_lists);
+  }
 }
 
 std::uint32_t Builder::read_plain_materials(Span open) {
@@ -139,6 +202,11 @@ void Builder::vertex_materials(VertexMaterials materials, Span span) {
   VertexMaterials& all = mesh().vertex_materials;
   mesh().material_lists.push_back({{all.count(), materials.count(), span}, primitive_.materials.size()});
   all.append(std::move(materials));
+}
+
+void Builder::mesh_file(Name file, Span word) {
+  mesh().file = std::move(file);
+  mesh_file_word_ = word;
 }
 
 void VertexMaterials::append(VertexMaterials more) {

@@ -18,7 +18,10 @@ enum class Attenuation : std::uint8_t { constant, linear, quadratic };
 
 class Builder {
  public:
-  Builder(const Source& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  Builder(const Source& source, Diagnostics& diagnostics, Dialect dialect)
+      : source_(source), diagnostics_(diagnostics) {
+    scene_.dialect = dialect;
+  }
 
   Scene take() { return std::move(scene_); }
 
@@ -35,7 +38,10 @@ class Builder {
   Camera& camera() { return camera_; }
   void viewdir(Vector3 value, Span word);
   void updir(Vector3 value, Span word);
+  void look_at(Vector3 value, Span word);
   void aspectratio(Scalar value);
+  void projection(const Name& name);
+  void camera_height(Scalar value);
   void end_camera(Span span);
 
   // Lights: each attribute once.
@@ -46,11 +52,34 @@ class Builder {
   void end_directional_light(Span span);
   void end_point_light(Span span);
 
+  void begin_dialect_light(DialectLight::Kind kind, Span keyword);
+  void light_attribute(std::string_view word, std::variant<double, std::array<double, 3>> value,
+                       Span word_span, Span value_span);
+  void end_dialect_light(Span span);
+
+  // Surroundings.
+  void begin_fog(Span keyword);
+  Fog& fog() { return fog_; }
+  void end_fog(Span span);
+  void begin_surroundings(bool skybox, Span keyword);
+  Surroundings& surroundings() { return surroundings_; }
+  void face(std::string_view word, Name file, Span word_span);
+  void end_surroundings(Span span);
+
+  // An attribute that some projects write and none reads.
+  void without_effect(std::string_view word, Span span, std::string_view block);
+
   // Materials.
   MaterialBlock assign(MaterialBlock block, Parameter parameter, MaterialAssignment value, Span span);
   MaterialBlock name_block(MaterialBlock block, Name name);
   Material block(MaterialBlock block, Span span);
   Material reference(Name name);
+  MaterialBlock specular_model(MaterialBlock block, const Name& name, Span span);
+  static MapFile map(std::string_view file);
+  static MapFile map(std::string_view file, std::string_view over, double threshold);
+  static MapFile bare_map(std::string_view file);
+  static Vector3 uniform_vector(double number, Span span) { return {{number, number, number}, span}; }
+  static Scalar as_number(const Located<bool>& value) { return {value.value ? 1.0 : 0.0, value.span}; }
 
   // Elements.
   ElementId open(decltype(Element::what) what, Span keyword);
@@ -64,10 +93,19 @@ class Builder {
 
   void begin_primitive(decltype(Primitive::shape) shape, Span keyword);
   Primitive& primitive() { return primitive_; }
-  Cone& cone() { return std::get<Cone>(primitive_.shape); }
+  template <class Shape>
+  Shape& shape() {
+    return std::get<Shape>(primitive_.shape);
+  }
+  void begin_quadric(Quadric::Kind kind, Span keyword);
+  void coefficients(std::vector<double> numbers, Span span);
+  void coefficients_in_rows(Span span);  // those that read_list has read
+  void map_beside(Parameter parameter, MaterialAssignment value, Span span);
+  void noise_beside(SolidTexture noise, Span span, Span value_span);
   ElementId end_primitive(Span span);
 
-  // Meshes. read_list reads the list of `attribute` (POINTS, NORMALS or FACES) behind the '(' at `open`.
+  // Meshes. read_list reads the list of `attribute` (POINTS, NORMALS, FACES or TEXTURE_UV) behind the '(' at
+  // `open`; points are also the coefficients of a quadric.
   void begin_mesh(Span keyword);
   Mesh& mesh() { return scene_.meshes.back(); }
   ListStop read_list(Kind attribute, Span open);
@@ -76,6 +114,7 @@ class Builder {
   std::uint32_t read_plain_materials(Span open);
   VertexMaterials take_plain_materials() { return std::exchange(plain_materials_, {}); }
   void vertex_materials(VertexMaterials materials, Span span);
+  void mesh_file(Name file, Span word);
 
  private:
   // A light's attribute and the word it was given by.
@@ -102,10 +141,14 @@ class Builder {
   Diagnostics& diagnostics_;
   Scene scene_;
   Camera camera_;
-  Span viewdir_word_, updir_word_;
+  Span viewdir_word_, updir_word_, look_at_word_;
   LightParts light_;
+  DialectLight dialect_light_;
+  Fog fog_;
+  Surroundings surroundings_;
   Primitive primitive_;
   VertexMaterials plain_materials_;
+  Span mesh_file_word_;
   Span primitive_keyword_;
   std::size_t errors_before_ = 0;  // when the block that is being read began
   std::size_t unknown_names_ = 0;  // errors about names of materials

@@ -64,8 +64,8 @@ struct SolidTexture {
   Kind kind{};
   std::optional<Vector3> color;  // marble
   std::optional<Scalar> lightness, contrast, frequency;
-  std::optional<Located<std::array<double, 3>>> scale;  // one number counts for all three
-  std::optional<Scalar> depth;                          // also turbulence_depth
+  std::optional<Vector3> scale;  // one number counts for all three
+  std::optional<Scalar> depth;   // also turbulence_depth
 };
 
 // One `parameter = value` of a material. `value` is a number for the numbers, three for the colours, a word
@@ -210,6 +210,11 @@ struct Mesh {
 
   std::vector<ListSpan> point_lists, normal_lists, face_lists, coordinate_lists;
   std::vector<MaterialList> material_lists;
+
+  bool has_no_lists() const {
+    return point_lists.empty() && normal_lists.empty() && face_lists.empty() && coordinate_lists.empty() &&
+           material_lists.empty();
+  }
 };
 
 struct Cone {
@@ -265,9 +270,9 @@ struct Primitive {
   std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId, Plane, Torus, Quadric, TorusKnot, HeightField>
       shape;
   std::vector<Material> materials;  // each `material =` in order; the last one counts
-  // Maps given beside the material, not in it (diffuse_map, bump_map, ...): they apply on top of it.
-  std::vector<MaterialAssignment> maps;
   std::optional<Name> name;
+  // Maps given beside the material, not in it (diffuse_map, bump_map, ...): they apply on top of it.
+  std::vector<MaterialAssignment> maps{};
 };
 
 struct Group {};

@@ -58,14 +58,16 @@ bool explain_unclosed(const Situation& at) {
 }  // namespace
 
 bool explain_missing_equals(const Situation& at) {
-  if (!at.expects_only(T::EQUALS)) return false;
+  const bool or_block = at.last.kind == T::MATERIAL && at.expects(T::EQUALS);
+  if (!at.expects_only(T::EQUALS) && !or_block) return false;
   at.error_found(fmt::format("expected '=' after '{}'", at.text(at.last)));
   return true;
 }
 
 // Only where it is mandatory: behind lists, gennormals and the name of a material.
 bool explain_missing_semicolon(const Situation& at) {
-  if (!at.expects_only(T::SEMICOLON)) return false;
+  const bool after_gennormals = at.last.kind == T::GENNORMALS && at.expects(T::SEMICOLON);
+  if (!at.expects_only(T::SEMICOLON) && !after_gennormals) return false;
   const std::string word(text_of(at.source, at.frame.statement_span));
   std::string after = "the list of " + word;
   if (at.frame.statement == T::GENNORMALS) after = "'gennormals', which takes no value";
@@ -101,10 +103,8 @@ bool explain_attribute(const Situation& at) {
   } else if (explain_unclosed(at)) {
     return true;
   } else if (at.found_word()) {
-    Diagnostic& error =
-        at.error(fmt::format("unknown attribute {} in {}", in_quotes(at.text(at.found)), block));
-    at.suggest(error, frame.owner);
-    if (at.tokens.first_note(frame.owner))
+    Diagnostic& error = at.unknown("attribute", " in " + block, frame.owner);
+    if (!at.tokens.permissive() && at.tokens.first_note(frame.owner))
       error.notes.push_back({at.found.span, takes_text(at.source, frame)});
   } else if (at.found.kind == T::COMMA && at.last.kind == T::NUMBER && frame.statement != T::END) {
     at.error(fmt::format("'{}' takes one number", text_of(at.source, frame.statement_span)));
@@ -139,7 +139,7 @@ bool explain_transform(const Situation& at) {
   }
   if (explain_misplaced(at, fmt::format("{} {}", word.front() == 'a' ? "an" : "a", word))) return true;
   if (at.found.kind == T::WORD) {
-    at.suggest(at.error(fmt::format("unknown object {}", in_quotes(at.text(at.found)))), T::OPEN_BRACE);
+    at.unknown("object", "", T::OPEN_BRACE);
   } else {
     at.error_found(fmt::format("{}: expected {}", takes,
                                at.expects(T::NUMBER) ? "a number or the object" : "the object"));
@@ -153,8 +153,7 @@ bool explain_object(const Situation& at) {
   const bool group = at.frame.owner == T::OPEN_BRACE;
   const std::string choice = group ? "an object or a material" : "an object, a light, a camera or a material";
   if (at.found.kind == T::WORD) {
-    at.suggest(at.error(fmt::format("unknown word {}: expected {}", in_quotes(at.text(at.found)), choice)),
-               at.frame.owner);
+    at.unknown("word", at.tokens.permissive() ? "" : ": expected " + choice, at.frame.owner);
   } else if (at.found_word() && group && explain_misplaced(at, "a group")) {
     return true;
   } else if (at.found_word()) {

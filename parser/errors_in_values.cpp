@@ -21,9 +21,7 @@ bool explain_string_escape(const Situation& at) {
 bool explain_name(const Situation& at) {
   if (!at.expects(T::WORD) || at.last.kind == T::COMMA || at.last.kind == T::OPEN_PAREN) return false;
   const bool reference = at.expects(T::OPEN_BRACE);
-  if (at.found.kind == T::EQUALS && at.last.kind == T::NAME) {
-    at.error("the 'name' in a material takes no '=': write name \"x\";");
-  } else if (is_reserved(at.found.kind) && !reference) {
+  if (is_keyword(at.found.kind) && !reference) {
     at.error(fmt::format("'{}' is a reserved word: put it in quotes to use it as a name", at.text(at.found)));
     at.tokens.drop_current();
   } else {
@@ -39,7 +37,9 @@ bool explain_value(const Situation& at) {
   const std::string word(at.text(at.before_last));
   const bool map = at.expects(T::MAP);
   if (at.expects(T::NUMBER)) {
-    if (at.found.kind == T::OPEN_PAREN) {
+    if (at.expects(T::OPEN_PAREN)) {
+      at.error_found(fmt::format("'{}' takes a number or three in parentheses", word));
+    } else if (at.found.kind == T::OPEN_PAREN) {
       at.error(fmt::format("'{}' takes one number, not a list", word));
     } else {
       at.error_found(fmt::format("'{}' takes a number{}", word, map ? " or a map" : ""));
@@ -50,11 +50,12 @@ bool explain_value(const Situation& at) {
       return true;
     }
     const std::string_view count = at.before_last.kind == T::QUATERNIAN ? "four" : "three";
-    Diagnostic& error = at.error_found(
+    at.error_found(
         fmt::format("'{}' takes {} numbers in parentheses{}", word, count, map ? " or a map" : ""));
-    if (map && at.found.kind == T::STRING) {
-      error.notes.push_back({at.found.span, fmt::format("a texture is written map({})", at.text(at.found))});
-    }
+  } else if (map) {
+    at.error_found(fmt::format("'{}' takes a map", word));
+  } else if (at.expects(T::STRING)) {
+    at.error_found(fmt::format("'{}' takes a file name in quotes", word));
   } else if (at.expects(T::TRUE)) {
     at.error_found(fmt::format("'{}' takes true or false", word));
   } else if (at.expects(T::LIST)) {
@@ -72,8 +73,12 @@ bool explain_tuple(const Situation& at) {
   const bool row = frame.owner == T::LIST;
   if (frame.opener != T::OPEN_PAREN || is_transform(frame.owner)) return false;
   if (frame.owner == T::MAP) {
-    at.error_found(at.expects(T::STRING) ? "expected a file name in quotes"
-                                         : "expected ')' after the file name");
+    at.error_found(at.expects(T::STRING)   ? "expected a file name in quotes"
+                   : at.expects(T::NUMBER) ? "expected the threshold from which the second map shows"
+                   : at.expects_only(T::COMMA)
+                       ? "map of two files: expected ',' and the threshold from which the second shows"
+                   : at.last.kind == T::STRING ? "expected ')' after the file name"
+                                               : "expected ')' after the threshold");
     return true;
   }
   if (frame.owner == T::MATERIALS) {

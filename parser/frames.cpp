@@ -11,7 +11,8 @@ bool nests(const Frame& frame) {
 }
 
 bool opens_block(Kind kind) {
-  return is_primitive(kind) || is_light(kind) || kind == T::CAMERA;
+  return is_primitive(kind) || is_light(kind) || kind == T::CAMERA || kind == T::FOG || kind == T::CUBEMAP ||
+         kind == T::SKYBOX || kind == T::MARBLE;
 }
 
 }  // namespace
@@ -22,7 +23,8 @@ void Frames::open(const Token& token) {
   frame.open_span = frame.owner_span = token.span;
   frame.owner = token.kind == T::OPEN_BRACE ? T::OPEN_BRACE : T::WORD;
   const bool brace = token.kind == T::OPEN_BRACE;
-  if (last_.kind == T::EQUALS && (!brace || before_last_.kind == T::MATERIAL)) {
+  if (last_.kind == T::EQUALS &&
+      (!brace || before_last_.kind == T::MATERIAL || before_last_.kind == T::PERLIN_NOISE)) {
     frame.owner = before_last_.kind;
     frame.owner_span = before_last_.span;
   } else if (brace && top().opener == T::OPEN_PAREN && top().owner == T::MATERIALS) {

@@ -9,7 +9,19 @@ namespace trace::parser {
 
 namespace {
 
-std::string needed(ListNeed need, std::string_view entry) {
+// What the entries of a list are called, and how many numbers they have.
+struct Entries {
+  std::string name;
+  std::string_view count = "three";
+};
+
+Entries entries_of(Kind attribute, const std::string& word) {
+  if (attribute == T::TEXTURE_UV) return {"pair", "two"};
+  return {word.substr(0, word.size() - 1)};  // "points" without its "s"
+}
+
+std::string needed(ListNeed need, const Entries& entries) {
+  const std::string& entry = entries.name;
   switch (need) {
     case ListNeed::nothing:
       return "";
@@ -20,9 +32,9 @@ std::string needed(ListNeed need, std::string_view entry) {
     case ListNeed::number:
       return "expected a number";
     case ListNeed::comma:
-      return fmt::format("a {} takes three numbers: expected ','", entry);
+      return fmt::format("a {} takes {} numbers: expected ','", entry, entries.count);
     case ListNeed::close:
-      return fmt::format("a {} takes three numbers: expected ')'", entry);
+      return fmt::format("a {} takes {} numbers: expected ')'", entry, entries.count);
     case ListNeed::comma_or_close:
       return fmt::format("expected ',' or ')' in a {}", entry);
     case ListNeed::comma_or_end:
@@ -45,8 +57,8 @@ void report_list_error(TokenStream& tokens, Span open, ListNeed need, const Toke
     return;
   }
   if (report_glued_number(tokens.source(), found, diagnostics)) return;
-  const std::string entry = attribute.substr(0, attribute.size() - 1);  // "points" without its "s"
-  diagnostics.error(found.span, needed(need, entry) + ", found " + found_text(tokens.source(), found));
+  const Entries entries = entries_of(tokens.frames().before_last().kind, attribute);
+  diagnostics.error(found.span, needed(need, entries) + ", found " + found_text(tokens.source(), found));
 }
 
 }  // namespace trace::parser

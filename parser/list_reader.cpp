@@ -221,22 +221,22 @@ void ListReader::too_few_corners(const char* begin, std::size_t count) {
 
 }  // namespace
 
-ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<double>& numbers,
-                      Diagnostics& diagnostics) {
+ListStop read_tuples(std::size_t count, const Source& source, std::uint32_t begin,
+                     std::vector<double>& numbers, Diagnostics& diagnostics) {
   ListReader list(source, begin, numbers.size(), diagnostics);
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
-    if (list.plain_entries(numbers)) need = ListNeed::entry;
-    std::array<double, 3> triple;
+    if (count == 3 && list.plain_entries(numbers)) need = ListNeed::entry;
+    std::array<double, 3> tuple{};
+    if (need == ListNeed::entry && list.take(')')) return list.done();
     if (!list.take('(')) return list.stop(need, false);
-    if (!list.number(triple[0])) return list.stop(ListNeed::number, true);
-    if (!list.take(',')) return list.stop(ListNeed::comma, true);
-    if (!list.number(triple[1])) return list.stop(ListNeed::number, true);
-    if (!list.take(',')) return list.stop(ListNeed::comma, true);
-    if (!list.number(triple[2])) return list.stop(ListNeed::number, true);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0 && !list.take(',')) return list.stop(ListNeed::comma, true);
+      if (!list.number(tuple[i])) return list.stop(ListNeed::number, true);
+    }
     if (!list.take(')')) return list.stop(ListNeed::close, true);
-    list.make_room(numbers, 3);
-    numbers.insert(numbers.end(), triple.begin(), triple.end());
+    list.make_room(numbers, count);
+    numbers.insert(numbers.end(), tuple.begin(), tuple.begin() + static_cast<std::ptrdiff_t>(count));
     if (list.take(',')) continue;
     if (list.take(')')) return list.done();
     return list.stop(ListNeed::comma_or_end, false);
@@ -249,6 +249,7 @@ ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
     if (sizes.empty() && list.plain_entries(corners)) need = ListNeed::entry;
+    if (need == ListNeed::entry && list.take(')')) return list.done();
     list.peek();
     const char* const face = list.place();
     if (!list.take('(')) return list.stop(need, false);

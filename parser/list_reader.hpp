@@ -1,4 +1,5 @@
-// The lists of meshes: points = ((x,y,z),...), normals = (...), faces = ((i,j,k,...),...).
+// The lists of meshes: points = ((x,y,z),...), normals = (...), texture_uv = ((u,v),...),
+// faces = ((i,j,k,...),...). A ',' may stand behind the last entry.
 //
 // They are nearly all of the bytes of a large scene, so they are read in one piece, straight from the text,
 // instead of token by token: a number of up to 19 digits is put together as an integer and scaled by an exact
@@ -21,8 +22,8 @@ enum class ListNeed {
   first_entry,     // '(' of the first entry, or ')'
   entry,           // '(' of an entry after ','
   number,          // a number
-  comma,           // ',' between the three numbers of a point or normal
-  close,           // ')' after the third
+  comma,           // ',' between the numbers of a point, normal or pair
+  close,           // ')' after the last of them
   comma_or_close,  // ',' or ')' in a face
   comma_or_end     // ',' or ')' after an entry
 };
@@ -36,8 +37,9 @@ struct ListStop {
 // Read on from `begin`, behind the list's '(', and append to `numbers` or `corners`. Malformed numbers and
 // wrong indices are reported and the reading goes on; anything else stops it, and the caller reports it. A
 // text of less than 4 GiB holds less than 2^31 numbers, so their count needs no check.
-ListStop read_triples(const Source& source, std::uint32_t begin, std::vector<double>& numbers,
-                      Diagnostics& diagnostics);
+// Entries of `count` numbers, two or three.
+ListStop read_tuples(std::size_t count, const Source& source, std::uint32_t begin,
+                     std::vector<double>& numbers, Diagnostics& diagnostics);
 // Indices are whole numbers from 0 on; one too large for 32 bits becomes 2^32 - 1. `sizes` gets the corners
 // of each face once one is not a triangle, as in Mesh::face_sizes.
 ListStop read_faces(const Source& source, std::uint32_t begin, std::vector<std::uint32_t>& corners,

@@ -53,6 +53,9 @@ void check_mesh(const Source& source, const Mesh& mesh, Span keyword, Diagnostic
   const Span normals = mesh.normal_lists.empty() ? keyword : mesh.normal_lists.back().span;
   check_count(mesh.normals.size() / 3, points, {normals.begin, normals.begin + 1}, "normal", "normals",
               diagnostics);
+  const Span pairs = mesh.coordinate_lists.empty() ? keyword : mesh.coordinate_lists.back().span;
+  check_count(mesh.texture_coordinates.size() / 2, points, {pairs.begin, pairs.begin + 1},
+              "texture coordinate", "texture coordinates", diagnostics);
   const Span materials = mesh.material_lists.empty() ? keyword : mesh.material_lists.back().list.span;
   check_count(mesh.vertex_materials.count(), points, {materials.begin, materials.begin + 1}, "material",
               "materials", diagnostics);

@@ -5,9 +5,9 @@
 
 namespace trace::parser {
 
-Scene parse(const Source& source, Diagnostics& diagnostics) {
-  Builder builder(source, diagnostics);
-  TokenStream tokens(source, diagnostics, builder);
+Scene parse(const Source& source, Diagnostics& diagnostics, const ParseOptions& options) {
+  Builder builder(source, diagnostics, options.dialect);
+  TokenStream tokens(source, diagnostics, builder, options.permissive);
   bison::Grammar grammar(tokens, builder);
   grammar.parse();
   return builder.take();

@@ -34,6 +34,8 @@ struct Situation {
   Diagnostic& error_found(const std::string& message) const;  // the same with ", found 'x'"
   void suggest(Diagnostic& diagnostic, Kind block) const;     // a statement of the block that looks alike
   Note opened_here(const Frame& opened) const;
+  // A word that nothing here begins with: `what` as in "attribute", `where` as in " in a sphere".
+  Diagnostic& unknown(std::string_view what, const std::string& where, Kind block) const;
 };
 
 // errors_in_files.cpp: the header and the end of the file.

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "parser/foreign_words.hpp"
 #include "parser/number.hpp"
 #include "parser/printable.hpp"
 #include "parser/situation.hpp"
@@ -12,7 +13,7 @@
 namespace trace::parser {
 
 bool Situation::found_word() const {
-  return found.kind == T::WORD || is_reserved(found.kind);
+  return found.kind == T::WORD || is_keyword(found.kind);
 }
 
 Diagnostic& Situation::error(std::string message) const {
@@ -27,6 +28,20 @@ void Situation::suggest(Diagnostic& diagnostic, Kind block) const {
   if (found_word()) diagnostic.suggestion = closest(text(found), statement_words(block));
 }
 
+Diagnostic& Situation::unknown(std::string_view what, const std::string& where, Kind block) const {
+  const std::string word = in_quotes(text(found));
+  const std::string_view foreign = foreign_word(text(found));
+  std::string message = fmt::format("unknown {} {}{}", what, word, where);
+  if (!foreign.empty()) message = fmt::format("{} {}; it is not part of this language", word, foreign);
+  if (tokens.permissive()) {
+    return tokens.diagnostics().warning(found.span,
+                                        message + (foreign.empty() ? ": passed over" : ", and passed over"));
+  }
+  Diagnostic& diagnostic = error(message);
+  if (foreign.empty()) suggest(diagnostic, block);
+  return diagnostic;
+}
+
 Note Situation::opened_here(const Frame& opened) const {
   const std::string word = block_word(source, opened);
   if (opened.owner == T::OPEN_BRACE) return {opened.owner_span, "the group is opened here"};
@@ -35,7 +50,7 @@ Note Situation::opened_here(const Frame& opened) const {
 }
 
 bool report_glued_number(const Source& source, const Token& found, Diagnostics& diagnostics) {
-  if (found.kind != T::WORD && !is_reserved(found.kind)) return false;
+  if (found.kind != T::WORD && !is_keyword(found.kind)) return false;
   const std::string_view text = source.text();
   const auto in_number = [](char c) { return is_digit(c) || c == '.'; };
   std::uint32_t begin = found.span.begin;

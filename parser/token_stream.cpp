@@ -6,14 +6,19 @@
 #include <utility>
 
 #include "parser/builder.hpp"
+#include "parser/dialect_words.hpp"
 #include "parser/list_errors.hpp"
 #include "parser/parse.hpp"
 #include "parser/vocabulary.hpp"
 
 namespace trace::parser {
 
-TokenStream::TokenStream(const Source& source, Diagnostics& diagnostics, Builder& builder)
-    : source_(source), diagnostics_(diagnostics), builder_(builder), scanner_(source, diagnostics) {}
+TokenStream::TokenStream(const Source& source, Diagnostics& diagnostics, Builder& builder, bool permissive)
+    : source_(source),
+      diagnostics_(diagnostics),
+      builder_(builder),
+      permissive_(permissive),
+      scanner_(source, diagnostics) {}
 
 // The token returned before has been taken by the grammar: only now do its brackets count.
 bison::Grammar::symbol_type TokenStream::next() {
@@ -26,16 +31,40 @@ bison::Grammar::symbol_type TokenStream::next() {
   return symbol(current_);
 }
 
+Token TokenStream::scan() {
+  Token token = scanner_.next();
+  if (token.kind == T::WORD) token.kind = dialect_kind(token);
+  return token;
+}
+
+// A word counts where a statement may begin, or an object in a transform; in front of a value as the function
+// that makes one.
+Kind TokenStream::dialect_kind(const Token& word) const {
+  const std::string_view text = source_.text().substr(word.span.begin, word.span.end - word.span.begin);
+  const Frame& frame = frames_.top();
+  const Kind last = frames_.last().kind, attribute = frames_.before_last().kind;
+  if (last == T::EQUALS) {
+    if (text == "bump" && attribute == T::BUMP) return T::MAP;
+    const bool color = attribute >= T::EMISSIVE && attribute <= T::TRANSMISSIVE;
+    return text == "marble" && color ? T::MARBLE : T::WORD;
+  }
+  if (last == T::NAME && frame.owner == T::MATERIAL) return T::WORD;
+  const bool in_transform = frame.opener == T::OPEN_PAREN && is_transform(frame.owner);
+  if (!frame.is_block() && !in_transform) return T::WORD;
+  return dialect_word(in_transform ? T::OPEN_BRACE : frame.owner, text).value_or(T::WORD);
+}
+
 Token TokenStream::advance() {
   if (!held_.empty()) {
     const Token token = held_.back();
     held_.pop_back();
     return token;
   }
-  const Token token = scanner_.next();
+  const Token token = scan();
   if (at_vertex_material(token)) return read_plain_materials(token);
   const Kind attribute = frames_.before_last().kind;
-  const bool list = attribute == T::POINTS || attribute == T::NORMALS || attribute == T::FACES;
+  const bool list = attribute == T::POINTS || attribute == T::NORMALS || attribute == T::FACES ||
+                    attribute == T::TEXTURE_UV;
   Token result =
       list && token.kind == T::OPEN_PAREN && frames_.last().kind == T::EQUALS ? read_list(token) : token;
   if (silence_next_ && result.kind != T::LIST) {
@@ -47,14 +76,14 @@ Token TokenStream::advance() {
 
 Token TokenStream::skip() {
   scanner_.set_quiet(true);
-  Token token = scanner_.next();
+  Token token = scan();
   while (token.kind != T::END && !frames_.skip(token, target_)) {
     if (frames_.depth() > 2 * max_nesting) {
       stop();
       token = {T::END, token.span};
       break;
     }
-    token = scanner_.next();
+    token = scan();
   }
   scanner_.set_quiet(false);
   skipping_ = false;
@@ -78,7 +107,7 @@ Recovery TokenStream::recover() {
   last_error_ = current_.span.begin;
   if (assumed_open_) frames_.skip({*assumed_open_, {current_.span.begin, current_.span.begin}}, target_);
   assumed_open_.reset();
-  const bool word = current_.kind == T::WORD || is_reserved(current_.kind);
+  const bool word = current_.kind == T::WORD || is_keyword(current_.kind);
   const bool drop = std::exchange(drop_current_, false) || stuck ||
                     (word && !begins_statement(frames_.at(target_).owner, current_.kind));
   const bool begins_next = frames_.skip(current_, target_);
@@ -107,6 +136,9 @@ bison::Grammar::symbol_type TokenStream::symbol(const Token& token) const {
     case T::NUMBER:
       return Symbol(token.kind, token.number, token.span);
     case T::WORD:
+    case T::LIGHT_ATTRIBUTE:
+    case T::FACE:
+    case T::WITHOUT_EFFECT:
       return Symbol(token.kind, text, token.span);
     case T::STRING: {
       const bool closed = text.size() > 1 && text.back() == '"';
@@ -153,7 +185,7 @@ Token TokenStream::leave_list(const Token& found, const ListStop& stop) {
   scanner_.set_quiet(true);
   for (;; token = scanner_.next()) {
     if (token.kind == T::END || token.kind == T::SEMICOLON || token.kind == T::CLOSE_BRACE ||
-        is_reserved(token.kind)) {
+        is_keyword(token.kind)) {
       scanner_.seek(token.span.begin);
       silence_next_ = true;
       break;

@@ -22,7 +22,8 @@ enum class Recovery { keep, drop, stop };
 
 class TokenStream {
  public:
-  TokenStream(const Source& source, Diagnostics& diagnostics, Builder& builder);
+  // `permissive`: unknown words are warned of, and what they begin is passed over.
+  TokenStream(const Source& source, Diagnostics& diagnostics, Builder& builder, bool permissive);
 
   // For the grammar.
   bison::Grammar::symbol_type next();
@@ -33,6 +34,7 @@ class TokenStream {
   const Frames& frames() const { return frames_; }
   const Source& source() const { return source_; }
   Diagnostics& diagnostics() { return diagnostics_; }
+  bool permissive() const { return permissive_; }
   bool brackets_lost() const { return frames_.bracket_lost() || scanner_.lost_text(); }
 
   // Called while an error is reported: the '}' of the innermost block is missing in front of the current
@@ -49,6 +51,9 @@ class TokenStream {
   void drop_current() { drop_current_ = true; }
 
  private:
+  // The scanner's next token; a word of a dialect where it is one.
+  Token scan();
+  Kind dialect_kind(const Token& word) const;
   Token advance();
   Token skip();
   Token read_list(const Token& open);
@@ -61,6 +66,7 @@ class TokenStream {
   const Source& source_;
   Diagnostics& diagnostics_;
   Builder& builder_;
+  bool permissive_;
   Scanner scanner_;
   Frames frames_;
   Token current_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "parser/dialect_words.hpp"
+
 namespace trace::parser {
 
 namespace {
@@ -76,13 +78,23 @@ constexpr std::array punctuation{
 
 using Kinds = std::vector<Kind>;
 
-const Kinds camera{T::POSITION, T::VIEWDIR, T::UPDIR, T::FOV, T::ASPECTRATIO, T::QUATERNIAN};
+const Kinds camera{T::POSITION, T::VIEWDIR, T::UPDIR, T::FOV, T::ASPECTRATIO, T::QUATERNIAN, T::HEIGHT};
 const Kinds ambient_light{T::COLOR};
 const Kinds directional_light{T::DIRECTION, T::COLOR};
 const Kinds point_light{T::POSITION, T::COLOR, T::CONSTANT, T::LINEAR, T::QUADRATIC};
+const Kinds directed{T::POSITION, T::DIRECTION, T::COLOR, T::CONSTANT, T::LINEAR, T::QUADRATIC};
+const Kinds rectangle{T::POSITION, T::DIRECTION, T::UPDIR,  T::COLOR,
+                      T::HEIGHT,   T::CONSTANT,  T::LINEAR, T::QUADRATIC};
+const Kinds disc{T::POSITION, T::COLOR, T::BOTTOM_RADIUS, T::CONSTANT, T::LINEAR, T::QUADRATIC};
+const Kinds color{T::COLOR};
+const Kinds solid{T::SCALE, T::COLOR};
+const Kinds noise{T::SCALE};
 const Kinds material{T::EMISSIVE,     T::AMBIENT,   T::DIFFUSE, T::SPECULAR, T::REFLECTIVE,
                      T::TRANSMISSIVE, T::SHININESS, T::INDEX,   T::NAME};
 const Kinds shape{T::MATERIAL, T::NAME};
+const Kinds cylinder{T::MATERIAL, T::NAME, T::CAPPED};
+const Kinds quadric{T::MATERIAL, T::NAME, T::POINTS};
+const Kinds height_field{T::MATERIAL, T::NAME, T::GENNORMALS};
 const Kinds cone{T::MATERIAL, T::NAME, T::CAPPED, T::BOTTOM_RADIUS, T::TOP_RADIUS, T::HEIGHT};
 const Kinds mesh{T::MATERIAL, T::NAME, T::POINTS, T::FACES, T::NORMALS, T::MATERIALS, T::GENNORMALS};
 const Kinds group{T::SPHERE,    T::BOX,    T::SQUARE, T::CYLINDER,  T::CONE,    T::MESH,
@@ -106,8 +118,8 @@ bool is_reserved(std::string_view word) {
   return reserved_word(word).has_value();
 }
 
-bool is_reserved(Kind kind) {
-  return std::any_of(words.begin(), words.end(), [kind](const Entry& entry) { return entry.kind == kind; });
+bool is_keyword(Kind kind) {
+  return kind >= T::HEADER;
 }
 
 std::string_view spelling(Kind kind) {
@@ -122,8 +134,7 @@ std::string_view spelling(Kind kind) {
 }
 
 bool is_primitive(Kind kind) {
-  return kind == T::SPHERE || kind == T::BOX || kind == T::SQUARE || kind == T::CYLINDER || kind == T::CONE ||
-         kind == T::MESH;
+  return begins_statement(T::OPEN_BRACE, kind) && !is_transform(kind) && kind != T::MATERIAL;
 }
 
 bool is_transform(Kind kind) {
@@ -131,7 +142,21 @@ bool is_transform(Kind kind) {
 }
 
 bool is_light(Kind kind) {
-  return kind == T::POINT_LIGHT || kind == T::DIRECTIONAL_LIGHT || kind == T::AMBIENT_LIGHT;
+  switch (kind) {
+    case T::POINT_LIGHT:
+    case T::DIRECTIONAL_LIGHT:
+    case T::AMBIENT_LIGHT:
+    case T::SPOT_LIGHT:
+    case T::AREA_LIGHT:
+    case T::AREA_LIGHT_RECT:
+    case T::AREA_LIGHT_CIRC:
+    case T::SHAPE_LIGHT:
+    case T::WARN_LIGHT:
+    case T::WARN_MODEL_LIGHT:
+      return true;
+    default:
+      return false;
+  }
 }
 
 const std::vector<Kind>& statements_of(Kind block) {
@@ -146,11 +171,39 @@ const std::vector<Kind>& statements_of(Kind block) {
       return point_light;
     case T::MATERIAL:
       return material;
+    case T::SPOT_LIGHT:
+    case T::AREA_LIGHT_CIRC:
+    case T::SHAPE_LIGHT:
+    case T::WARN_LIGHT:
+    case T::WARN_MODEL_LIGHT:
+      return directed;
+    case T::AREA_LIGHT:
+      return disc;
+    case T::AREA_LIGHT_RECT:
+      return rectangle;
+    case T::FOG:
+      return color;
+    case T::MARBLE:
+      return solid;
+    case T::PERLIN_NOISE:
+      return noise;
     case T::SPHERE:
     case T::BOX:
     case T::SQUARE:
-    case T::CYLINDER:
+    case T::PLANE:
+    case T::TORUS:
+    case T::PARABOLOID:
+    case T::HYPERBOLOID:
+    case T::HYPERBOLIC:
+    case T::HYPERBOLIC_PARABOLOID:
+    case T::TORUS_KNOT:
       return shape;
+    case T::CYLINDER:
+      return cylinder;
+    case T::QUADRIC:
+      return quadric;
+    case T::HEIGHT_FIELD:
+      return height_field;
     case T::CONE:
       return cone;
     case T::MESH:
@@ -165,8 +218,10 @@ const std::vector<Kind>& statements_of(Kind block) {
 }
 
 bool begins_statement(Kind block, Kind word) {
-  const std::vector<Kind>& all = statements_of(block);
-  return std::find(all.begin(), all.end(), word) != all.end();
+  const std::vector<Kind>& core = statements_of(block);
+  if (std::find(core.begin(), core.end(), word) != core.end()) return true;
+  const std::vector<DialectWord>& more = dialect_words(block);
+  return std::any_of(more.begin(), more.end(), [word](const DialectWord& w) { return w.kind == word; });
 }
 
 std::vector<std::string_view> statement_words(Kind block) {
@@ -175,6 +230,16 @@ std::vector<std::string_view> statement_words(Kind block) {
     for (const Entry& entry : words) {
       if (entry.kind == kind) result.push_back(entry.word);
     }
+  }
+  for (const DialectWord& word : dialect_words(block)) result.push_back(word.word);
+  return result;
+}
+
+std::vector<std::string_view> usual_words(Kind block) {
+  std::vector<std::string_view> result;
+  for (const Kind kind : statements_of(block)) result.push_back(spelling(kind));
+  for (const DialectWord& word : dialect_words(block)) {
+    if (word.usual) result.push_back(word.word);
   }
   return result;
 }

@@ -77,7 +77,7 @@ std::string expected_text(const std::vector<Kind>& kinds) {
 
 std::string takes_text(const Source& source, const Frame& frame) {
   std::vector<std::string> words;
-  for (const Kind kind : statements_of(frame.owner)) words.emplace_back(spelling(kind));
+  for (const std::string_view word : usual_words(frame.owner)) words.emplace_back(word);
   return fmt::format("{} takes {}", block_text(source, frame), enumeration(words, "and"));
 }
 

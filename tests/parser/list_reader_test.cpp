@@ -64,7 +64,7 @@ TEST_CASE("a list read in one piece gives the numbers that the scanner gives") {
     const Source source = Source::from_text("list", list + ";");
     Diagnostics diagnostics;
     std::vector<double> numbers;
-    const ListStop stop = read_triples(source, 1, numbers, diagnostics);
+    const ListStop stop = read_tuples(3, source, 1, numbers, diagnostics);
     INFO(list);
     REQUIRE(stop.need == ListNeed::nothing);
     REQUIRE(stop.offset == list.size());

@@ -26,7 +26,7 @@ double in_list(const std::string& text) {
   const Source source = Source::from_text("list", list);
   Diagnostics diagnostics;
   std::vector<double> numbers;
-  REQUIRE(read_triples(source, 1, numbers, diagnostics).need == ListNeed::nothing);
+  REQUIRE(read_tuples(3, source, 1, numbers, diagnostics).need == ListNeed::nothing);
   REQUIRE_FALSE(diagnostics.has_errors());
   return numbers.at(0);
 }
