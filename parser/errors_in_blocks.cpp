@@ -14,10 +14,10 @@ bool fits_outside(const Situation& at) {
   const Frame& outside = at.tokens.frames().parent();
   const bool group =
       at.found.kind == T::OPEN_BRACE && (outside.owner == T::END || outside.owner == T::OPEN_BRACE);
-  return outside.is_block() && (group || begins_statement(outside.owner, at.found.kind));
+  return outside.is_block() && (group || begins_statement(outside.owner, at.found_kind()));
 }
 bool belongs_outside(const Situation& at) {
-  return fits_outside(at) || begins_statement(T::END, at.found.kind);
+  return fits_outside(at) || begins_statement(T::END, at.found_kind());
 }
 
 std::string_view arguments_of(Kind transform) {
@@ -33,12 +33,15 @@ std::string_view arguments_of(Kind transform) {
   }
 }
 
-// A light or a camera inside of something.
+// A light, a camera or what surrounds a scene inside of something.
 bool explain_misplaced(const Situation& at, const std::string& where) {
-  const bool light = is_light(at.found.kind);
-  if (!light && at.found.kind != T::CAMERA) return false;
+  const Kind kind = at.found_kind();
+  const bool light = is_light(kind), surroundings = kind == T::FOG || kind == T::CUBEMAP || kind == T::SKYBOX;
+  if (!light && !surroundings && kind != T::CAMERA) return false;
   at.error(fmt::format("'{}' cannot stand in {}: {} at the top level of the scene", at.text(at.found), where,
-                       light ? "lights stand" : "cameras stand"));
+                       light          ? "lights stand"
+                       : surroundings ? "it stands"
+                                      : "cameras stand"));
   return true;
 }
 
@@ -152,10 +155,10 @@ bool explain_object(const Situation& at) {
   if (!at.expects_object()) return false;
   const bool group = at.frame.owner == T::OPEN_BRACE;
   const std::string choice = group ? "an object or a material" : "an object, a light, a camera or a material";
-  if (at.found.kind == T::WORD) {
-    at.unknown("word", at.tokens.permissive() ? "" : ": expected " + choice, at.frame.owner);
-  } else if (at.found_word() && group && explain_misplaced(at, "a group")) {
+  if (at.found_word() && group && explain_misplaced(at, "a group")) {
     return true;
+  } else if (at.found.kind == T::WORD) {
+    at.unknown("word", at.tokens.permissive() ? "" : ": expected " + choice, at.frame.owner);
   } else if (at.found_word()) {
     at.error(fmt::format("'{}' cannot stand {}: expected {}", at.text(at.found),
                          group ? "in a group" : "at the top level of the scene", choice));

@@ -73,10 +73,12 @@ bool explain_tuple(const Situation& at) {
   const bool row = frame.owner == T::LIST;
   if (frame.opener != T::OPEN_PAREN || is_transform(frame.owner)) return false;
   if (frame.owner == T::MAP) {
-    at.error_found(at.expects(T::STRING)   ? "expected a file name in quotes"
+    at.error_found(at.last.kind == T::COMMA && at.expects(T::STRING)
+                       ? "a map of two files: expected the second in quotes"
+                   : at.expects(T::STRING) ? "expected a file name in quotes"
                    : at.expects(T::NUMBER) ? "expected the threshold from which the second map shows"
                    : at.expects_only(T::COMMA)
-                       ? "map of two files: expected ',' and the threshold from which the second shows"
+                       ? "a map of two files: expected ',' and the threshold from which the second shows"
                    : at.last.kind == T::STRING ? "expected ')' after the file name"
                                                : "expected ')' after the threshold");
     return true;

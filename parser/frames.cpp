@@ -51,6 +51,11 @@ void Frames::pass_materials(const Token& materials) {
   last_ = {T::COMMA, {end - 1, end}};
 }
 
+void Frames::pass_word(const Token& word) {
+  before_last_ = last_;
+  last_ = word;
+}
+
 void Frames::apply(const Token& token) {
   switch (token.kind) {
     case T::OPEN_BRACE:
@@ -130,6 +135,8 @@ bool Frames::skip(const Token& token, std::size_t depth) {
       if (here) return true;
       break;
     case T::OPEN_BRACE:
+      if (here && behind_bracket && (top().owner == T::END || top().owner == T::OPEN_BRACE)) return true;
+      [[fallthrough]];
     case T::OPEN_PAREN:
       open(token);
       break;

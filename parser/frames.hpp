@@ -46,8 +46,10 @@ class Frames {
 
   // A token that is passed over while looking for the next statement of the block at `depth`. True if it is
   // where the reading goes on: the first word of a statement, a ';', the '}' of that block, or a
-  // word behind a bracket, which most likely is meant for a statement too.
+  // word or (where groups may stand) a '{' behind a bracket, which most likely is meant for a statement too.
   bool skip(const Token& token, std::size_t depth);
+  // A word that is passed over although a statement might begin with it.
+  void pass_word(const Token& word);
   // Whether a closing bracket without its partner was passed over, or brackets were closed for want of one.
   bool bracket_lost() const { return bracket_lost_; }
 

@@ -29,6 +29,7 @@ struct Situation {
   std::string_view text(const Token& token) const { return text_of(source, token.span); }
   std::string found_text() const { return parser::found_text(source, found); }
   bool found_word() const;  // reserved or not
+  Kind found_kind() const;  // of a word of a dialect, what it is at the top level of a scene
 
   Diagnostic& error(std::string message) const;               // at the found token
   Diagnostic& error_found(const std::string& message) const;  // the same with ", found 'x'"

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "parser/dialect_words.hpp"
 #include "parser/foreign_words.hpp"
 #include "parser/number.hpp"
 #include "parser/printable.hpp"
@@ -14,6 +15,10 @@ namespace trace::parser {
 
 bool Situation::found_word() const {
   return found.kind == T::WORD || is_keyword(found.kind);
+}
+
+Kind Situation::found_kind() const {
+  return found.kind == T::WORD ? dialect_word(T::END, text(found)).value_or(T::WORD) : found.kind;
 }
 
 Diagnostic& Situation::error(std::string message) const {

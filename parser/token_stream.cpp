@@ -112,6 +112,7 @@ Recovery TokenStream::recover() {
                     (word && !begins_statement(frames_.at(target_).owner, current_.kind));
   const bool begins_next = frames_.skip(current_, target_);
   if (begins_next && !drop) return Recovery::keep;
+  if (begins_next && word) frames_.pass_word(current_);
   taken_ = false;
   skipping_ = true;
   return Recovery::drop;

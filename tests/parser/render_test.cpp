@@ -26,7 +26,7 @@ TEST_CASE("a message has its place, its line, its marks, a suggestion and notes"
       "    ^~~~~~\n"
       "scene.ray:4:5: note: did you mean 'diffuse'?\n"
       "scene.ray:4:5: note: a material takes emissive, ambient, diffuse, specular, reflective, transmissive, "
-      "shininess, index and name\n");
+      "shininess, index, name, absorb, glossiness, specular_model, bump and normal\n");
 }
 
 TEST_CASE("a note about another place shows that place") {
