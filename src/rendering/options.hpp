@@ -22,9 +22,10 @@ struct BlockInterpolation {
 // Samples in every pixel, which is the rectangle from the corner where the course samples it to that of the
 // next: ours, instead of the course's antialiasing and blocks.
 struct Sampling {
-  int grid = 1;          // n x n; 1: the course's one sample, at the corner
-  double threshold = 0;  // above 0: adaptive, to an error of about so many levels in a pixel on an edge
-  int most = 16;         // n x n at most where adaptive
+  int grid = 1;              // n x n; 1: the course's one sample, at the corner
+  double threshold = 0;      // above 0: adaptive, to an error of about so many levels in a pixel on an edge
+  int most = 16;             // n x n at most where adaptive
+  bool nine_points = false;  // corners, middles of edges and centre of each pixel, instead of a grid
 };
 
 struct RenderOptions {

@@ -6,6 +6,7 @@
 #include "rendering/adaptive.hpp"
 #include "rendering/antialias.hpp"
 #include "rendering/blocks.hpp"
+#include "rendering/nine_points.hpp"
 #include "rendering/uniform.hpp"
 
 namespace trace {
@@ -70,6 +71,8 @@ Rendered render(const Scene& scene, const SceneTree& tree, const RenderOptions& 
   if (sampling.threshold > 0) {
     progress.total = 3 * pixels;
     render_adaptive(frame, film, grids_for_threshold(sampling.threshold, sampling.most));
+  } else if (sampling.nine_points) {
+    render_nine_points(frame, film);
   } else if (sampling.grid > 1) {
     render_uniform(frame, film, sampling.grid);
   } else {

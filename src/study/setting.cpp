@@ -19,6 +19,8 @@ class Ladders {
                        fmt::format("{0} x {0} samples in each pixel", n), fmt::format("--aa {}", n));
       setting.options.sampling.grid = n;
     }
+    add("nine points", Axis::samples, "corners, middles of edges and centre of each pixel", "--nine-points")
+        .options.sampling.nine_points = true;
   }
 
   void adaptive() {

@@ -38,16 +38,33 @@ struct Tally {
   std::size_t pictures = 0, refused = 0;
 };
 
+// Goes back to the folder there was.
+class FolderGuard {
+ public:
+  FolderGuard() : before_(fs::current_path()) {}
+  FolderGuard(const FolderGuard&) = delete;
+  FolderGuard& operator=(const FolderGuard&) = delete;
+  ~FolderGuard() {
+    std::error_code error;
+    fs::current_path(before_, error);
+  }
+
+ private:
+  fs::path before_;
+};
+
 Tally draw_mutations(const std::vector<SceneText>& scenes, std::size_t count) {
   constexpr int width = 12, depth = 2;
   std::vector<std::string> texts;
   for (const SceneText& scene : scenes) texts.push_back(scene.text);
   std::mt19937_64 random(20001107);
+  const FolderGuard guard;
   Tally tally;
   for (std::size_t i = 0; i < count; ++i) {
     const SceneText& scene = scenes[i % scenes.size()];
     const std::string text = mutated(scene.text, texts, random);
     INFO(scene.file << ", mutation " << i << "\n" << text.substr(0, 4000));
+    fs::current_path(fs::path(scene.file).parent_path());  // where a text's maps are looked for
     FileImages images;
     const LoadedScene loaded = load_scene(parser::Source::from_text(scene.file, text), width, images);
     if (!loaded.scene) {

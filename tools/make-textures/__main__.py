@@ -10,10 +10,12 @@ import sys
 
 sys.dont_write_bytecode = True  # no __pycache__ in the sources
 
+from clouds import Clouds
 from earth import Earth
 from materials import Marble, Planks
 from patterns import Bricks, checker, tiles
 from picture import draw
+from relief import Hills, studs
 from sky import Sky
 from stars import Stars
 from uv_grid import uv_grid
@@ -26,6 +28,9 @@ TEXTURES = {
     "wood.png": (320, 320, Planks, 2),
     "marble.png": (320, 320, Marble, 1),
     "earth-like.png": (512, 256, Earth, 1),
+    "clouds.png": (512, 256, Clouds, 1),
+    "hills.png": (96, 96, Hills, 1),
+    "studs-normal.png": (256, 256, lambda: studs, 1),
     "tiles.bmp": (256, 256, lambda: tiles, 3),
     "stars.png": (512, 512, Stars, 1),
 }

@@ -205,6 +205,8 @@ int render_command(int argc, const char* const* argv) {
   auto* aa = app.add_option("--aa", sampling.grid, "N x N samples in every pixel")
                  ->check(CLI::Range(1, max_grid))
                  ->type_name("N");
+  auto* nine = app.add_flag("--nine-points", sampling.nine_points,
+                            "The mean of nine points of every pixel: corners, middles of edges, centre");
   auto* adaptive = app.add_option("--adaptive", sampling.threshold,
                                   "Samples where they count, to an error of some so many levels in a pixel")
                        ->check(number_between(least_threshold, 255))
@@ -217,7 +219,8 @@ int render_command(int argc, const char* const* argv) {
                               "The best picture predicted to take at most so long")
                    ->check(number_between(1e-3, 1e6))
                    ->type_name("SECONDS");
-  aa->excludes(adaptive, error, time);
+  aa->excludes(nine, adaptive, error, time);
+  nine->excludes(adaptive, error, time);
   adaptive->excludes(error, time);
   error->excludes(time);
   std::string instruction_set;
