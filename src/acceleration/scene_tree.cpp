@@ -36,15 +36,26 @@ class FrameRays {
 SceneTree::SceneTree(const Scene& scene, int threads, InstructionSet set, bool always_sorted)
     : scene_(scene) {
   ThreadBudget budget(threads_or_all(threads));
-  if (scene.objects.size() > (always_sorted ? 0 : max_unsorted)) {
-    Bounds all;
-    for (const Object& object : scene.objects) all.add(object.bounds);
-    BvhItems items(all, scene.objects.size());
-    for (const Object& object : scene.objects) items.add(object.bounds);
-    bvh_ = build_bvh(std::move(items), leaf_sizes, budget);
-  }
+  sort(always_sorted, budget);
   meshes_.reserve(scene.meshes.size());
   for (const SceneMesh& mesh : scene.meshes) meshes_.emplace_back(mesh.geometry, set, budget);
+}
+
+void SceneTree::sort(bool always, ThreadBudget& budget) {
+  std::vector<std::uint32_t> bounded, unbounded;
+  for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+    (scene_.objects[id].bounds.unbounded() ? unbounded : bounded).push_back(id);
+  }
+  if (bounded.size() <= (always ? 0 : max_unsorted)) return;
+  Bounds all;
+  for (const std::uint32_t id : bounded) all.add(scene_.objects[id].bounds);
+  BvhItems items(all, bounded.size());
+  for (const std::uint32_t id : bounded) items.add(scene_.objects[id].bounds);
+  bvh_ = build_bvh(std::move(items), leaf_sizes, budget);
+  if (unbounded.empty()) return;
+  for (std::uint32_t& item : bvh_.order) item = bounded[item];
+  for (const std::uint32_t id : unbounded) bvh_.order.push_back(id);
+  unbounded_ = static_cast<std::uint32_t>(unbounded.size());
 }
 
 std::size_t SceneTree::bytes() const {
@@ -58,6 +69,8 @@ void SceneTree::visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const {
   if (bvh_.nodes.empty()) {
     leaf(0, static_cast<std::uint32_t>(scene_.objects.size()), limit);
   } else {
+    if (unbounded_ > 0) limit = leaf(first_unbounded(), unbounded_, limit);
+    if (limit < 0) return;
     traverse(bvh_, BvhRay(bvh_, ray), limit, leaf);
   }
 }

@@ -1,4 +1,5 @@
-// Which object a ray hits: a hierarchy over the objects, and one in each mesh.
+// Which object a ray hits: a hierarchy over the objects, and one in each mesh. Objects without an end have no
+// box that a hierarchy could use: every ray asks them, before all others.
 #pragma once
 
 #include <vector>
@@ -35,7 +36,10 @@ class SceneTree {
   // What searching it in other ways takes. A handful of objects is a list, which is tested as a whole.
   bool is_list() const { return bvh_.nodes.empty(); }
   const Bvh& bvh() const { return bvh_; }
-  // The object at a place in the order of the leaves, or of the list.
+  // The objects without an end beside a hierarchy: so many places from the first one on.
+  std::uint32_t first_unbounded() const { return static_cast<std::uint32_t>(bvh_.order.size()) - unbounded_; }
+  std::uint32_t unbounded() const { return unbounded_; }
+  // The object at a place in the order of the leaves, with the unbounded objects behind them, or of the list.
   std::uint32_t object_at(std::uint32_t place) const { return is_list() ? place : bvh_.order[place]; }
   const MeshTree& mesh(MeshId id) const { return meshes_[id.index]; }
 
@@ -43,12 +47,14 @@ class SceneTree {
   std::size_t bytes() const;
 
  private:
+  void sort(bool always, ThreadBudget& budget);
   // Calls leaf(first, count, limit) as traverse() does; `first` counts places of object_at().
   template <class Leaf>
   void visit_leaves(const Ray& ray, double limit, Leaf&& leaf) const;
 
   const Scene& scene_;
   Bvh bvh_;
+  std::uint32_t unbounded_ = 0;
   std::vector<MeshTree> meshes_;  // as Scene::meshes
 };
 

@@ -5,6 +5,7 @@
 namespace trace {
 
 Bounds transformed(const Bounds& b, const Mat4& m) {
+  if (b.unbounded()) return Bounds::everything();
   Bounds result;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec4 p(corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y,

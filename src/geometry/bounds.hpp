@@ -14,6 +14,17 @@ struct Bounds {
 
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
 
+  static Bounds everything() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {Vec3(-infinity), Vec3(infinity)};
+  }
+  // Whether it goes on for ever to any side.
+  bool unbounded() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return min.x == -infinity || min.y == -infinity || min.z == -infinity || max.x == infinity ||
+           max.y == infinity || max.z == infinity;
+  }
+
   void add(const Vec3& p) {
     for (int axis = 0; axis < 3; ++axis) {
       if (p[axis] < min[axis]) min[axis] = p[axis];
@@ -27,7 +38,7 @@ struct Bounds {
   }
 };
 
-// The box of the eight corners of `b` under `m`.
+// The box of the eight corners of `b` under `m`; everything where `b` is unbounded.
 Bounds transformed(const Bounds& b, const Mat4& m);
 
 // The language's own test before an object is intersected: slabs without tolerance, an axis along which the

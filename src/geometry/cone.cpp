@@ -4,6 +4,7 @@
 
 #include "geometry/quadratic.hpp"
 #include "geometry/rounding.hpp"
+#include "geometry/texture_coordinates.hpp"
 
 namespace trace {
 namespace {
@@ -119,6 +120,13 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
 double Cone::distance(const Vec3& p, const Vec3& normal) const {
   if (normal.x == 0 && normal.y == 0) return std::min(std::abs(p.z), std::abs(p.z - height_));
   return std::abs(std::sqrt(radius_squared(p)) - std::abs(slope_ * (p.z + apex_offset_)));
+}
+
+Vec2 Cone::texture_coordinates(const Vec3& p, const Vec3& normal) const {
+  if (normal.x == 0 && normal.y == 0) {
+    return across_disk(p, std::abs(p.z) < std::abs(p.z - height_) ? bottom_radius_ : top_radius_);
+  }
+  return {turn_around(p.x, p.y), in_unit(p.z / height_)};
 }
 
 }  // namespace trace

@@ -29,6 +29,9 @@ class Cone {
   // one.
   double distance(const Vec3& p, const Vec3& normal) const;
 
+  // As the cylinder's, with v from 0 at z = 0 to 1 at z = height, and caps of their own radius.
+  Vec2 texture_coordinates(const Vec3& p, const Vec3& normal) const;
+
   // What computing the same in other ways takes. Radii as used; x^2 + y^2 = slope^2 (z + apex_offset)^2.
   double bottom_radius() const { return bottom_radius_; }
   double top_radius() const { return top_radius_; }

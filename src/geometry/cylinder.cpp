@@ -4,6 +4,7 @@
 
 #include "geometry/quadratic.hpp"
 #include "geometry/rounding.hpp"
+#include "geometry/texture_coordinates.hpp"
 
 namespace trace {
 namespace {
@@ -28,6 +29,28 @@ bool roots_of_side(const Ray& ray, double a, double c, Roots& roots) {
     roots = {(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)};
   }
   return true;
+}
+
+// Normals point outward. Rays along the axis have no hit here.
+bool intersect_side(const Ray& ray, LocalHit& hit) {
+  const double a = radius_squared(ray.direction);
+  if (a == 0) return false;
+  const double c = radius_squared(ray.origin) - 1.0;  // positive outside
+  Roots roots;
+  if (!roots_of_side(ray, a, c, roots)) return false;
+  // As for the sphere.
+  const double unsure = 4 * ray.origin_error + 2 * gamma(4);
+  const double b = -(ray.origin.x * ray.direction.x + ray.origin.y * ray.direction.y);  // positive inward
+  const auto meets = [&](double t) {
+    if (!(t > ray.least_t)) return false;
+    const Vec3 p = ray.at(t);
+    if (!(p.z >= 0 && p.z <= 1)) return false;
+    hit.t = t;
+    hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
+    return true;
+  };
+  if (c > unsure) return b > 0 && (meets(roots.first) || meets(roots.second));
+  return (c < -unsure || leaves_inward(b, unsure, roots.second)) && meets(roots.second);
 }
 
 }  // namespace
@@ -73,27 +96,6 @@ bool Cylinder::intersect_across_rim(const Ray& ray, bool leaves, LocalHit& hit) 
          (!leaves && meets(leave, caps.second < side.second, upward));
 }
 
-bool Cylinder::intersect_side(const Ray& ray, LocalHit& hit) const {
-  const double a = radius_squared(ray.direction);
-  if (a == 0) return false;
-  const double c = radius_squared(ray.origin) - 1.0;  // positive outside
-  Roots roots;
-  if (!roots_of_side(ray, a, c, roots)) return false;
-  // As for the sphere.
-  const double unsure = 4 * ray.origin_error + 2 * gamma(4);
-  const double b = -(ray.origin.x * ray.direction.x + ray.origin.y * ray.direction.y);  // positive inward
-  const auto meets = [&](double t) {
-    if (!(t > ray.least_t)) return false;
-    const Vec3 p = ray.at(t);
-    if (!(p.z >= 0 && p.z <= 1)) return false;
-    hit.t = t;
-    hit.normal = glm::normalize(Vec3(p.x, p.y, 0));
-    return true;
-  };
-  if (c > unsure) return b > 0 && (meets(roots.first) || meets(roots.second));
-  return (c < -unsure || leaves_inward(b, unsure, roots.second)) && meets(roots.second);
-}
-
 bool Cylinder::intersect_caps(const Ray& ray, LocalHit& hit) const {
   if (ray.direction.z == 0) return false;
   const double bottom = -ray.origin.z / ray.direction.z;
@@ -114,6 +116,17 @@ bool Cylinder::intersect_caps(const Ray& ray, LocalHit& hit) const {
 double Cylinder::distance(const Vec3& p, const Vec3& normal) const {
   if (normal.z != 0) return std::abs(p.z - (normal.z > 0));
   return std::abs(std::sqrt(radius_squared(p)) - 1);
+}
+
+Vec2 Cylinder::texture_coordinates(const Vec3& p, const Vec3& normal) const {
+  if (normal.z != 0) return across_disk(p, 1);
+  return {turn_around(p.x, p.y), in_unit(p.z)};
+}
+
+bool Tube::intersect(const Ray& ray, LocalHit& hit) const {
+  if (!intersect_side(ray, hit)) return false;
+  if (glm::dot(hit.normal, ray.direction) > 0) hit.normal = -hit.normal;
+  return true;
 }
 
 }  // namespace trace

@@ -2,6 +2,7 @@
 
 #include "geometry/quadratic.hpp"
 #include "geometry/rounding.hpp"
+#include "geometry/texture_coordinates.hpp"
 
 namespace trace {
 namespace {
@@ -53,6 +54,10 @@ bool Sphere::intersect(const Ray& given, LocalHit& hit) const {
 
 double Sphere::distance(const Vec3& p) const {
   return std::abs(glm::length(p) - 1);
+}
+
+Vec2 Sphere::texture_coordinates(const Vec3& p, const Vec3&) const {
+  return by_direction(p);
 }
 
 }  // namespace trace

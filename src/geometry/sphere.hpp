@@ -16,6 +16,8 @@ struct Sphere {
 
   // From the surface.
   double distance(const Vec3& p) const;
+
+  Vec2 texture_coordinates(const Vec3& p, const Vec3& normal) const;  // by_direction()
 };
 
 }  // namespace trace

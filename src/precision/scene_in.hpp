@@ -1,6 +1,7 @@
 // A scene carried to a kind of number, once before any ray.
 #pragma once
 
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
@@ -86,8 +87,10 @@ struct ObjectIn {
             [](const auto& s) -> ShapeIn<T> {
               if constexpr (std::is_same_v<std::decay_t<decltype(s)>, Cone>) {
                 return ConeIn<T>(s);
-              } else {
+              } else if constexpr (std::is_constructible_v<ShapeIn<T>, decltype(s)>) {
                 return s;
+              } else {
+                throw std::invalid_argument("a shape that the plain tracer does not know");
               }
             },
             object.shape)),

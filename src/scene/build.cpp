@@ -6,6 +6,7 @@
 #include "scene/few_warnings.hpp"
 #include "scene/graph.hpp"
 #include "scene/make_mesh.hpp"
+#include "scene/make_shape.hpp"
 #include "scene/material_maps.hpp"
 #include "scene/material_resolver.hpp"
 
@@ -131,15 +132,26 @@ class SceneBuilder {
     }
   }
 
+  // In the language's core only boxes and squares have texture coordinates (docs/language.md section 9).
+  bool has_texture_coordinates(const Object& object) const {
+    const bool always = std::visit(
+        [](const auto& s) {
+          using S = std::decay_t<decltype(s)>;
+          return std::is_same_v<S, Box> || std::is_same_v<S, Square> || std::is_same_v<S, Plane> ||
+                 std::is_same_v<S, Torus> || std::is_same_v<S, Quadric>;
+        },
+        object.shape);
+    if (always || std::holds_alternative<MeshId>(object.shape)) return always;
+    return description_.dialect != parser::Dialect::utexas ||
+           scene_.materials[object.material].on_any_surface;
+  }
+
   // Maps on surfaces without texture coordinates become their constant, once all textures are open.
   void flatten_maps() {
     std::map<std::uint32_t, std::uint32_t> flattened;
     for (Object& object : scene_.objects) {
       const MappedMaterial material = scene_.materials[object.material];
-      if (!material.has_maps() || std::holds_alternative<Box>(object.shape) ||
-          std::holds_alternative<Square>(object.shape)) {
-        continue;
-      }
+      if (!material.has_maps() || has_texture_coordinates(object)) continue;
       auto [entry, is_new] = flattened.try_emplace(object.material, 0);
       if (is_new) entry->second = add_material({at_point(material, scene_.textures, Vec2(0))});
       object.material = entry->second;
@@ -184,11 +196,20 @@ class SceneBuilder {
   std::optional<Shape> make_shape(const parser::Sphere&, const GraphObject&) { return Sphere{}; }
   std::optional<Shape> make_shape(const parser::Box&, const GraphObject&) { return Box{}; }
   std::optional<Shape> make_shape(const parser::Square&, const GraphObject&) { return Square{}; }
-  std::optional<Shape> make_shape(const parser::Cylinder&, const GraphObject&) { return Cylinder{}; }
+  std::optional<Shape> make_shape(const parser::Cylinder& cylinder, const GraphObject&) {
+    if (cylinder.capped && !cylinder.capped->value) return Tube{};
+    return Cylinder{};
+  }
+  std::optional<Shape> make_shape(const parser::Plane& plane, const GraphObject&) {
+    return make_plane(plane, diagnostics_);
+  }
+  std::optional<Shape> make_shape(const parser::Torus& torus, const GraphObject&) {
+    return make_torus(torus, diagnostics_);
+  }
+  std::optional<Shape> make_shape(const parser::Quadric& quadric, const GraphObject&) {
+    return make_quadric(quadric, diagnostics_);
+  }
 
-  std::optional<Shape> make_shape(const parser::Plane&, const GraphObject&) { return std::nullopt; }
-  std::optional<Shape> make_shape(const parser::Torus&, const GraphObject&) { return std::nullopt; }
-  std::optional<Shape> make_shape(const parser::Quadric&, const GraphObject&) { return std::nullopt; }
   std::optional<Shape> make_shape(const parser::TorusKnot&, const GraphObject&) { return std::nullopt; }
   std::optional<Shape> make_shape(const parser::HeightField&, const GraphObject&) { return std::nullopt; }
 

@@ -17,6 +17,7 @@ std::string FarAway::message(const std::string& what) const {
 }
 
 std::optional<FarAway> find_far_away(const Bounds& local, const Mat4& to_world) {
+  if (local.unbounded()) return std::nullopt;
   const Bounds world = transformed(local, to_world);
   FarAway found{};
   found.distance = std::max(largest(world.min), largest(world.max));

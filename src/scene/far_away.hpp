@@ -18,7 +18,7 @@ struct FarAway {
   std::string message(const std::string& what) const;
 };
 
-// For an object with bounds `local` in its own space. Nothing for one without extent.
+// For an object with bounds `local` in its own space. Nothing for one without extent or without an end.
 std::optional<FarAway> find_far_away(const Bounds& local, const Mat4& to_world);
 
 // "sphere", "trimesh", ...

@@ -59,6 +59,7 @@ struct BasicMappedMaterial {
   BasicMaterial<T> values;
   TextureId emissive = no_texture, ambient = no_texture, diffuse = no_texture, specular = no_texture;
   TextureId index = no_texture, shininess = no_texture;
+  bool on_any_surface = false;  // a map is written as a bare string: it has a place on curved surfaces too
 
   bool has_maps() const {
     return emissive >= 0 || ambient >= 0 || diffuse >= 0 || specular >= 0 || index >= 0 || shininess >= 0;

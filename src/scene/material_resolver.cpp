@@ -57,6 +57,7 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
     const TextureId id = textures_.open(map->file, assignment.value_span, number);
     if (slot.map) {
       *slot.map = id;
+      if (map->bare) result.on_any_surface = true;
       return;
     }
     *slot.value = Rgb(0);

@@ -10,8 +10,11 @@
 #include "geometry/cylinder.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/plane.hpp"
+#include "geometry/quadric.hpp"
 #include "geometry/sphere.hpp"
 #include "geometry/square.hpp"
+#include "geometry/torus.hpp"
 #include "scene/camera.hpp"
 #include "scene/cube_map.hpp"
 #include "scene/light.hpp"
@@ -25,11 +28,12 @@ struct MeshId {
   std::uint32_t index;
 };
 
-using Shape = std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId>;
+// Those up to Cone have packet kernels of their own; the others are asked ray by ray (shape.hpp).
+using Shape = std::variant<Sphere, Box, Square, Cylinder, Cone, MeshId, Tube, Plane, Torus, Quadric>;
 
 struct Object {
   Shape shape;
-  Bounds bounds;           // in the world
+  Bounds bounds;           // in the world; may be unbounded
   std::uint32_t frame;     // index into Scene::frames
   std::uint32_t material;  // index into Scene::materials
 };
@@ -47,7 +51,8 @@ struct SceneMesh {
   }
 };
 
-// Objects are in file order: of two hits at the same t the earlier object's counts.
+// Objects are in file order: of two hits at the same t the earlier object's counts. Where an object's
+// material has maps, they lie on it by its texture coordinates.
 struct Scene {
   Camera camera;
   Rgb ambient{0};  // all ambient lights together

@@ -4,6 +4,7 @@
 
 #include "geometry/rounding.hpp"
 #include "scene/material_maps.hpp"
+#include "scene/shape.hpp"
 
 namespace trace {
 namespace {
@@ -50,7 +51,12 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
     facing = Cone::facing(normal);
   }
   if (evaluates_maps(scene, object, always_maps)) {
-    own_ = at_point(material, scene.textures, hit.local.uv);
+    Vec2 uv = hit.local.uv;
+    if (!tells_texture_coordinates(object.shape)) {
+      const Vec3 p(scene.frames[object.frame].to_object * Vec4(point_, 1));
+      uv = texture_coordinates(object.shape, hit.local, p);
+    }
+    own_ = at_point(material, scene.textures, uv);
     material_ = &own_;
   }
   const Frame& frame = scene.frames[object.frame];

@@ -72,6 +72,7 @@ class SceneStudy {
     read_solution();
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
       if (picture_height(scene_, base_.width / setting.divisor) < 1) continue;  // of a very wide picture
+      if (setting.arithmetic && !plain_tracer_knows(scene_)) continue;
       if (setting.options.shading.model_everything)
         sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
       result_.settings.push_back({});

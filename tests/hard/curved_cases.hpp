@@ -1,4 +1,4 @@
-// Rows 6 and 7: spheres, cylinders and cones where the quadratic is hard.
+// Rows 6 and 7: spheres, cylinders, cones and tori where the quadratic is hard.
 #pragma once
 
 #include "tests/hard/hard_case.hpp"
@@ -9,5 +9,6 @@ HardCase far_sphere_case();
 HardCase placed_sphere_case();
 HardCase cylinder_case();
 HardCase cone_case();
+HardCase torus_case();
 
 }  // namespace trace::hard

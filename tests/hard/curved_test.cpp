@@ -18,3 +18,7 @@ TEST_CASE(
     "a cone is hit or missed as the course's rules say, along its lines, at its apex and from far away") {
   CHECK(failures_of(keep_promise(), "textbook") > 0);
 }
+
+TEST_CASE("a torus is hit or missed as its line says, touching it, along its axis and from far away") {
+  CHECK(failures_of(keep_promise(), "textbook") > 0);
+}

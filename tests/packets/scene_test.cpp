@@ -1,5 +1,6 @@
 // Packets through whole scenes against SceneTree.
 #include "tests/packets/same_bits.hpp"
+#include "tests/support/scene_endless.hpp"
 #include "tests/support/scene_random.hpp"
 
 using namespace trace;
@@ -94,6 +95,23 @@ TEST_CASE("packets find in a scene what single rays find, bit for bit") {
   CHECK(result.different == 0);
   CHECK(result.shadows == 0);
   if (size == 40 && !packet_kernels().empty()) CHECK(result.hits > 100);
+}
+
+TEST_CASE("packets find shapes of the dialects and those without an end as single rays do, bit for bit") {
+  Random random(GENERATE(range(21u, 25u)));
+  const int size = GENERATE(1, 3, 20);
+  const double unit = GENERATE(1.0, 1e-6, 50.0);
+  const Scene scene = endless_scene(random, size, unit);
+  const SceneTree tree(scene);
+  Disagreements result;
+  const auto apart = scattered(random, unit, 150), together = bundled(random, unit, 160);
+  compare(scene, tree, apart, result);
+  compare(scene, tree, together, result);
+  compare(scene, tree, leaving(tree, together, random, unit), result);
+  INFO(result.first);
+  CHECK(result.different == 0);
+  CHECK(result.shadows == 0);
+  CHECK((result.hits > 100 || packet_kernels().empty()));
 }
 
 TEST_CASE("packets find in a mesh what single rays find, also on its edges and corners") {

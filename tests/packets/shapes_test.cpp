@@ -86,6 +86,29 @@ TEST_CASE("a shape's packet kernel has the bits of its scalar code, or says that
   CHECK((hits > 10'000 || packet_kernels().empty()));
 }
 
+TEST_CASE("packets have the bits of a shape's scalar code where it has no kernel") {
+  Bounds slab = Bounds::everything();
+  slab.min.z = 0;
+  slab.max.z = 1;
+  const std::vector<Shape> others{Tube{}, Plane(Vec3(0, 0, 0.25), Vec3(1, 2, 3)), Torus(1, 0.25),
+                                  Quadric({1, 1, -1, 0, 0, 0, 0, 0, 0, -1}),
+                                  Quadric({1, -1, 0, 0, 0, 0, 0, 0, 0, -1}, slab, Bounds::everything())};
+  int hits = 0;
+  for (const Shape& shape : others) {
+    for (const RayKind kind : {RayKind::past, RayKind::inside, RayKind::on_grid, RayKind::far_away}) {
+      const auto rays = some_rays(shape, kind, 1000);
+      for (const PacketKernels& kernels : packet_kernels()) {
+        ShapeDisagreements result;
+        compare(shape, rays, kernels, result);
+        INFO("shape " << shape.index() << ": " << result.first);
+        CHECK(result.different + result.unusual == 0);
+        hits += result.hits;
+      }
+    }
+  }
+  CHECK((hits > 2000 || packet_kernels().empty()));
+}
+
 TEST_CASE("packets never hit a cone of negative height") {
   const Shape cone = Cone(1, 0.5, -1, true);
   for (const RayKind kind : {RayKind::past, RayKind::inside, RayKind::on_grid}) {

@@ -147,3 +147,18 @@ TEST_CASE("on the hard scenes the program is ten times nearer to extended precis
     CHECK(program.over_a_level <= 1);
   }
 }
+
+TEST_CASE("a scene that the plain tracer does not know is refused, not drawn otherwise") {
+  const Shape shape = GENERATE(Shape(Sphere{}), Shape(Tube{}), Shape(Torus(1, 0.5)),
+                               Shape(Plane(Vec3(0), Vec3(0, 0, 1))), Shape(Quadric({1, 0, 0, 0, 0, 0, 0, 0, 0, -1})));
+  Scene scene;
+  scene.textures.emplace_back(Image{1, 1, {1, 2, 3}});
+  add(scene, Sphere{}, at_origin(), diffuse(Rgb(1)));
+  MappedMaterial map;
+  map.diffuse = 0;
+  add(scene, Box{}, at_origin(), map);
+  CHECK(plain_tracer_knows(scene));
+  add(scene, shape, at_origin(), map);
+  CHECK_FALSE(plain_tracer_knows(scene));
+  CHECK_THROWS_AS(render_in(Arithmetic::working, scene, of_width(2), 1), std::invalid_argument);
+}

@@ -13,6 +13,7 @@
 #include "acceleration/scene_tree.hpp"
 #include "geometry/packet/frame-inl.hpp"
 #include "geometry/packet/shapes-inl.hpp"
+#include "scene/shape.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
@@ -24,14 +25,49 @@ struct Hits {
   LocalHits local;
 };
 
-// Calls with the shape's own type; not for meshes.
+// Shapes without a kernel of their own: ray by ray, with the scalar code.
+struct OtherShape {
+  const Shape& shape;
+};
+
+HWY_MAYBE_UNUSED static HWY_NOINLINE Mask intersect(const OtherShape& other, const Rays& rays,
+                                                    const Mask& active, LocalHits& hits, Mask&) {
+  const RayLanes one(rays);
+  Lanes t(Numbers(0.0));
+  VectorLanes normal(Vectors(0.0, 0.0, 1.0));
+  unsigned found = 0;
+  for (const std::size_t i : each_lane(active)) {
+    LocalHit hit;
+    if (!trace::intersect(other.shape, one[i], hit)) continue;
+    found |= 1u << i;
+    t.at[i] = hit.t;
+    normal.set(i, hit.normal);
+  }
+  hits.t = t.numbers();
+  hits.normal = normal.vectors();
+  hits.u = hits.v = hits.part = 0.0;
+  return mask_of(found);
+}
+
+HWY_MAYBE_UNUSED static HWY_NOINLINE Numbers distance(const OtherShape& other, const Vectors& p,
+                                                      const Vectors& normal) {
+  const VectorLanes points(p), normals(normal);
+  Lanes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.at[i] = distance_with_rounding(other.shape, points[i], normals[i]);
+  }
+  return result.numbers();
+}
+
+// Calls with the shape's own type, or OtherShape; not for meshes.
 template <class Call>
 HWY_INLINE auto with_primitive(const Shape& shape, const Call& call) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return call(*sphere);
   if (const auto* box = std::get_if<Box>(&shape)) return call(*box);
   if (const auto* square = std::get_if<Square>(&shape)) return call(*square);
   if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return call(*cylinder);
-  return call(std::get<Cone>(shape));
+  if (const auto* cone = std::get_if<Cone>(&shape)) return call(*cone);
+  return call(OtherShape{shape});
 }
 
 HWY_INLINE Mask intersect_primitive(const Shape& shape, const Rays& rays, const Mask& asked, LocalHits& hits,
@@ -196,9 +232,15 @@ HWY_INLINE void visit_leaves(const Scene& scene, const SceneTree& tree, const Ra
                              Leaf& leaf) {
   if (tree.is_list()) {
     leaf.visit(0, static_cast<std::uint32_t>(scene.objects.size()), bits_of(active));
-  } else {
-    traverse(tree.bvh(), rays, active, leaf);
+    return;
   }
+  Mask going = active;
+  if (tree.unbounded() > 0) {
+    leaf.visit(tree.first_unbounded(), tree.unbounded(), bits_of(active));
+    going &= mask_of(leaf.going());
+    if (none(going)) return;
+  }
+  traverse(tree.bvh(), rays, going, leaf);
 }
 
 HWY_MAYBE_UNUSED static HWY_NOINLINE void closest(const Scene& scene, const SceneTree& tree, const Rays& rays,

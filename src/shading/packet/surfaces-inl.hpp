@@ -8,6 +8,7 @@
 
 #include "acceleration/packet/scene-inl.hpp"
 #include "scene/material_maps.hpp"
+#include "scene/shape.hpp"
 #include "shading/options.hpp"
 #include "shading/packet/counts-inl.hpp"
 #include "shading/surface.hpp"
@@ -88,6 +89,30 @@ struct Surfaces {
 
   HWY_INLINE Rays leaving(const Vectors& direction) const {
     return leaving_rays(point, facing, height, point_error, direction);
+  }
+};
+
+// Where the lanes `some` are in a texture.
+struct TextureLanes {
+  Lanes u, v;
+
+  HWY_INLINE TextureLanes(const Shape& shape, const LocalHits& hits, const Vectors& p, unsigned some)
+      : u(hits.u), v(hits.v) {
+    if (!tells_texture_coordinates(shape)) ask(shape, hits, p, some);
+  }
+  HWY_INLINE Vec2 operator[](std::size_t i) const { return {u.at[i], v.at[i]}; }
+
+ private:
+  HWY_NOINLINE void ask(const Shape& shape, const LocalHits& hits, const Vectors& p, unsigned some) {
+    const VectorLanes points(p), normals(hits.normal);
+    for (const std::size_t i : each_lane(some)) {
+      LocalHit hit;
+      hit.normal = normals[i];
+      hit.uv = (*this)[i];
+      const Vec2 uv = texture_coordinates(shape, hit, points[i]);
+      u.at[i] = uv.x;
+      v.at[i] = uv.y;
+    }
   }
 };
 
@@ -176,10 +201,8 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Shading
   }
   if (evaluates_maps(scene, object, options.model_everything)) {
     MaterialLanes own;
-    const Lanes u(local.u), v(local.v);
-    for (const std::size_t i : each_lane(bits)) {
-      own.set(i, at_point(material, scene.textures, Vec2(u.at[i], v.at[i])));
-    }
+    const TextureLanes uv(object.shape, local, p, bits);
+    for (const std::size_t i : each_lane(bits)) own.set(i, at_point(material, scene.textures, uv[i]));
     result.material = own.materials();
     note(counts, &LaneWork::maps, some);
   }
