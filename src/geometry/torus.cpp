@@ -19,11 +19,12 @@ struct Few {
 };
 
 // The zero of a function between `low` and `high`, where its signs differ; it and its derivative are told by
-// f. Newton's steps, halving where one would leave what is known to enclose the zero or gains too little.
+// f. Newton's steps, halving where one would leave what is known to enclose the zero or gains too little; a
+// step of at most `enough` is the last.
 template <class Function>
-double zero_between(double low, double high, bool rises, const Function& f) {
+double zero_between(double low, double high, bool rises, double enough, const Function& f) {
   double t = low + 0.5 * (high - low), last = high - low;
-  // Every second step halves at least, so that 53 digits of any range are found; Newton needs five or so.
+  // Each step is at most half the one before, or halves what encloses the zero. Five or so are usual.
   for (int step = 0; step < 200; ++step) {
     const auto [value, slope] = f(t);
     if (value == 0) return t;
@@ -32,7 +33,7 @@ double zero_between(double low, double high, bool rises, const Function& f) {
     const bool good = newton > low && newton < high && std::abs(newton - t) <= 0.5 * last;
     const double next = good ? newton : middle;
     last = std::abs(next - t);
-    if (next == t || (!good && (middle == low || middle == high))) return next;
+    if (last <= enough || (!good && (middle == low || middle == high))) return next;
     t = next;
   }
   return t;
@@ -59,18 +60,22 @@ struct ValueAndSlope {
   double value, slope;
 };
 
-// The sign changes of a function in the pieces between `ends`, on each of which it has at most one.
+// The sign changes of a function beyond `from` in the pieces between `ends`, on each of which it has at most
+// one. found(t, whether it rises) says whether to go on.
 template <class Function, class Found>
-void sign_changes(const Few& ends, const Function& f, const Found& found) {
+void sign_changes(const Few& ends, double from, double enough, const Function& f, const Found& found) {
   bool was_above = f(ends.at[0]).value > 0;
   for (std::size_t i = 1; i < ends.count; ++i) {
     const bool is_above = f(ends.at[i]).value > 0;
-    if (is_above != was_above) found(zero_between(ends.at[i - 1], ends.at[i], is_above, f), is_above);
+    if (is_above != was_above && ends.at[i] > from) {
+      if (!found(zero_between(ends.at[i - 1], ends.at[i], is_above, enough, f), is_above)) return;
+    }
     was_above = is_above;
   }
 }
 
-// -limit, the zeros of t^3 + p t + q between, limit.
+// -limit, the zeros of t^3 + p t + q between, limit. Newton's last step squares what the zeros are off by,
+// from 2^-30 of the limit.
 Few zeros_of_cubic(double p, double q, double limit) {
   const auto cubic = [&](double t) { return ValueAndSlope{(t * t + p) * t + q, 3 * t * t + p}; };
   Few turns;
@@ -85,7 +90,10 @@ Few zeros_of_cubic(double p, double q, double limit) {
   turns.add(limit);
   Few zeros;
   zeros.add(-limit);
-  sign_changes(turns, cubic, [&](double t, bool) { zeros.add(t); });
+  sign_changes(turns, -limit, 0x1p-30 * limit, cubic, [&](double t, bool) {
+    zeros.add(t);
+    return true;
+  });
   zeros.add(limit);
   return zeros;
 }
@@ -99,7 +107,8 @@ bool Torus::intersect(const Ray& given, LocalHit& hit) const {
   const Ray ray{unit_ * given.origin, given.direction, unit_ * given.origin_error, unit_ * given.least_t};
   const Ring ring{unit_ * major_, unit_ * minor_};
   const Vec3& d = ray.direction;
-  const auto [c, t_of_c] = nearest_point(ray);
+  const NearestPoint nearest = nearest_point(ray);
+  const Vec3& c = nearest.place;
   const double reach = ring.major + ring.minor, near = glm::dot(c, c);
   // A little more than where the line is within the sphere around it.
   const double limit_squared = reach * reach * (1 + 0x1p-40) - near;
@@ -122,18 +131,19 @@ bool Torus::intersect(const Ray& given, LocalHit& hit) const {
 
   bool found = false;
   sign_changes(
-      pieces,
+      pieces, least - nearest.t, 0,
       [&](double t) {
         const Vec3 p = c + t * d;
         return ValueAndSlope{ring.height(p), glm::dot(ring.outward(p), d)};
       },
       [&](double t, bool leaves) {
-        const double at = t_of_c + t;
-        if (found || !(at > least)) return;
-        if (on_surface && !along && leaves == (rising > 0)) return;
+        const double at = nearest.t + t;
+        if (!(at > least)) return true;
+        if (on_surface && !along && leaves == (rising > 0)) return true;
         found = true;
         hit.t = at / unit_;
         hit.normal = glm::normalize(ring.outward(c + t * d));
+        return false;
       });
   return found;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace trace {
 namespace {
@@ -18,9 +20,9 @@ double number_or(const std::optional<parser::Scalar>& said, double otherwise) {
 std::optional<Quadric> make_paraboloid(const parser::Quadric& said, parser::Diagnostics& diagnostics) {
   const double a = std::abs(number_or(said.a, 1)), b = std::abs(number_or(said.b, 1));
   const double low = number_or(said.lower_bound, 0), high = number_or(said.upper_bound, 1);
-  if (a == 0 || b == 0) {
-    diagnostics.error(a == 0 ? said.a->span : said.b->span,
-                      fmt::format("'{}' of a paraboloid must not be 0", a == 0 ? 'A' : 'B'));
+  for (const auto& [name, width] : {std::pair{'A', said.a}, std::pair{'B', said.b}}) {
+    if (!width || std::isfinite(1 / (width->value * width->value))) continue;
+    diagnostics.error(width->span, fmt::format("'{}' of a paraboloid must not be 0", name));
     return std::nullopt;
   }
   if (!(high > low)) {
@@ -73,6 +75,10 @@ std::optional<Torus> make_torus(const parser::Torus& said, parser::Diagnostics& 
   for (const auto& radius : {said.major_radius, said.minor_radius}) {
     if (!radius || radius->value > 0) continue;
     diagnostics.error(radius->span, "the radii of a torus must be greater than 0");
+    return std::nullopt;
+  }
+  if (!std::isfinite(major + minor)) {
+    diagnostics.error(said.major_radius->span, "the radii of a torus are too large");
     return std::nullopt;
   }
   return Torus(major, minor);

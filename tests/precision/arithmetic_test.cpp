@@ -149,8 +149,9 @@ TEST_CASE("on the hard scenes the program is ten times nearer to extended precis
 }
 
 TEST_CASE("a scene that the plain tracer does not know is refused, not drawn otherwise") {
-  const Shape shape = GENERATE(Shape(Sphere{}), Shape(Tube{}), Shape(Torus(1, 0.5)),
-                               Shape(Plane(Vec3(0), Vec3(0, 0, 1))), Shape(Quadric({1, 0, 0, 0, 0, 0, 0, 0, 0, -1})));
+  const Shape shape =
+      GENERATE(Shape(Sphere{}), Shape(Tube{}), Shape(Torus(1, 0.5)), Shape(Plane(Vec3(0), Vec3(0, 0, 1))),
+               Shape(Quadric({1, 0, 0, 0, 0, 0, 0, 0, 0, -1})));
   Scene scene;
   scene.textures.emplace_back(Image{1, 1, {1, 2, 3}});
   add(scene, Sphere{}, at_origin(), diffuse(Rgb(1)));

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = parser::Quadric::Kind;
 
-parser::Scalar number(double value, std::size_t place = 0) {
+parser::Scalar number(double value, std::uint32_t place = 0) {
   return {value, {place, place + 1}};
 }
 
