@@ -7,6 +7,15 @@ namespace {
 
 constexpr int any_limit = 1'000'000;  // for keys without effect
 
+JsonKey transmissive_shadows_key(std::optional<TransmissiveShadows>* target) {
+  return {"\"distance\", \"surface\" or \"none\"", [target](const JsonValue& value) {
+            const std::string* name = value.get<std::string>();
+            const auto rule = name ? transmissive_shadows_named(*name) : std::nullopt;
+            if (rule) *target = rule;
+            return rule.has_value();
+          }};
+}
+
 }  // namespace
 
 JsonKeys settings_keys(Settings& settings) {
@@ -23,6 +32,8 @@ JsonKeys settings_keys(Settings& settings) {
           {"aa_threshold", number_key(&settings.aa_threshold)},
           {"threshold", number_key(&settings.threshold)},
           {"blocksize", whole_key(&settings.blocksize, 1, max_block_size)},
+          {"light_samples", whole_key(&settings.light_samples, 1, max_light_samples)},
+          {"transmissive_shadows", transmissive_shadows_key(&settings.transmissive_shadows)},
           {"kdtree", boolean_key(nullptr)},
           {"tree_depth", whole_key(nullptr, 0, any_limit)},
           {"leaf_size", whole_key(nullptr, 0, any_limit)},
@@ -70,6 +81,8 @@ void Settings::apply(RenderOptions& options) const {
   set(options.antialiasing.threshold, aa_threshold);
   set(options.blocks.threshold, threshold);
   set(options.blocks.size, blocksize);
+  set(options.shading.light_samples, light_samples);
+  set(options.shading.transmissive_shadows, transmissive_shadows);
 }
 
 }  // namespace trace

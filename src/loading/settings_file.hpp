@@ -16,6 +16,8 @@ struct Settings {
   std::optional<bool> shadows, smoothshade, backface_culling, internal_reflection, backface_specular,
       anti_alias;
   std::optional<double> aa_threshold, threshold;
+  std::optional<int> light_samples;  // ours
+  std::optional<TransmissiveShadows> transmissive_shadows;
 
   void apply(RenderOptions& options) const;
 };

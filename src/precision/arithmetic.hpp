@@ -23,10 +23,6 @@ struct ArithmeticPicture {
   RayCounts rays;
 };
 
-// Whether the plain tracer has all that the scene asks for: it knows the core of the language, no shapes of
-// the dialects and no maps on curved surfaces.
-bool plain_tracer_knows(const Scene& scene);
-
 // The picture by a plain tracer of one ray at a time, the same for any kind of number: the formulas of
 // docs/language.md in the forms of textbooks (Moeller and Trumbore, the quadratic formula without
 // cancellation of its terms, slabs), without the exact tests that the program falls back on. The places,
@@ -35,9 +31,11 @@ bool plain_tracer_knows(const Scene& scene);
 //
 // One sample a pixel, at its corner, as render() takes it. Of `options` width, depth and the switches of
 // shading count; antialiasing, blocks, instruction set and threads do not. Options must be within the limits
-// of rendering/options.hpp and picture_height() within those of a picture; std::invalid_argument for a scene
-// that the plain tracer does not know. An undefined channel is black. The same numbers for any number of
-// threads (0: as many as the machine has).
+// of rendering/options.hpp and picture_height() within those of a picture. An undefined channel is black.
+// The same numbers for any number of threads (0: as many as the machine has).
+//
+// Throws std::invalid_argument for a scene with anything that the course's language does not have
+// (scene/beyond_course.hpp).
 ArithmeticPicture render_in(Arithmetic arithmetic, const Scene& scene, const SceneTree& tree,
                             const RenderOptions& options, int threads);
 

@@ -29,4 +29,14 @@ LightSample<T> sample(const PointLight& light, const Vec3<T>& point) {
   return {glm::normalize(to_light), s, f > 1 ? 1 / f : 1, reaches};
 }
 
+// Lights of dialects are not known here; render_in() takes no scene with one.
+template <class T>
+LightSample<T> sample(const SpotLight&, const Vec3<T>&) {
+  return {Vec3<T>(0), 0, 0, false};
+}
+template <class T>
+LightSample<T> sample(const AreaLight&, const Vec3<T>&) {
+  return {Vec3<T>(0), 0, 0, false};
+}
+
 }  // namespace trace::precision

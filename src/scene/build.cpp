@@ -2,11 +2,15 @@
 
 #include <map>
 
+#include "scene/dialect_lights.hpp"
 #include "scene/far_away.hpp"
 #include "scene/few_warnings.hpp"
 #include "scene/graph.hpp"
+#include "scene/make_camera.hpp"
+#include "scene/make_fog.hpp"
 #include "scene/make_mesh.hpp"
 #include "scene/make_shape.hpp"
+#include "scene/make_surroundings.hpp"
 #include "scene/material_maps.hpp"
 #include "scene/material_resolver.hpp"
 
@@ -23,13 +27,17 @@ class SceneBuilder {
                parser::Diagnostics& diagnostics)
       : description_(description),
         diagnostics_(diagnostics),
-        textures_(source.directory(), images, diagnostics),
-        resolver_(textures_, diagnostics) {}
+        folder_(source.directory()),
+        images_(images),
+        textures_(folder_, images, diagnostics),
+        resolver_(textures_, diagnostics),
+        camera_(diagnostics) {}
 
   Scene build() {
     for (const parser::Item& item : description_.items) {
       std::visit([&](const auto& what) { add(what); }, item);
     }
+    scene_.camera = camera_.take();
     SceneGraph graph = make_graph(description_);
     scene_.frames = std::move(graph.frames);
     warn_of_singular(graph);
@@ -46,17 +54,7 @@ class SceneBuilder {
 
  private:
   // --- cameras and lights ---
-  void add(const parser::Camera& camera) {
-    if (camera.position) scene_.camera.eye = vector(*camera.position);
-    if (camera.fov) scene_.camera.set_fov(camera.fov->value);
-    if (camera.aspectratio) scene_.camera.aspect = camera.aspectratio->value;
-    if (camera.quaternion) {
-      const auto& q = camera.quaternion->value;
-      scene_.camera.set_quaternion(Vec4(q[0], q[1], q[2], q[3]));
-    }
-    if (camera.viewdir && camera.updir)
-      scene_.camera.set_view(vector(*camera.viewdir), vector(*camera.updir));
-  }
+  void add(const parser::Camera& camera) { camera_.add(camera); }
 
   void add(const parser::AmbientLight& light) { scene_.ambient += vector(light.color); }
 
@@ -73,9 +71,17 @@ class SceneBuilder {
     scene_.lights.emplace_back(result);
   }
 
-  void add(const parser::DialectLight&) {}
-  void add(const parser::Surroundings&) {}
-  void add(const parser::Fog&) {}
+  void add(const parser::DialectLight& light) {
+    if (std::optional<Light> made = make_light(light, diagnostics_))
+      scene_.lights.push_back(std::move(*made));
+  }
+
+  // Of several the last counts.
+  void add(const parser::Surroundings& surroundings) {
+    scene_.cube_map = make_surroundings(surroundings, folder_, images_, diagnostics_);
+  }
+  void add(const parser::Fog& fog) { scene_.fog = make_fog(fog, diagnostics_); }
+
   void add(const parser::Material&) {}  // part of the graph
   void add(parser::ElementId) {}        // part of the graph
 
@@ -153,7 +159,11 @@ class SceneBuilder {
       const MappedMaterial material = scene_.materials[object.material];
       if (!material.has_maps() || has_texture_coordinates(object)) continue;
       auto [entry, is_new] = flattened.try_emplace(object.material, 0);
-      if (is_new) entry->second = add_material({at_point(material, scene_.textures, Vec2(0))});
+      if (is_new) {
+        MappedMaterial flat = material.without_maps();
+        flat.values = at_point(material, scene_.textures, Vec2(0));
+        entry->second = add_material(flat);
+      }
       object.material = entry->second;
     }
     for (const auto& [mesh, entries] : vertex_materials_) {
@@ -256,8 +266,11 @@ class SceneBuilder {
 
   parser::Scene& description_;
   parser::Diagnostics& diagnostics_;
+  std::filesystem::path folder_;
+  ImageSource& images_;
   TextureCache textures_;
   MaterialResolver resolver_;
+  CameraMaker camera_;
   Scene scene_;
   ResolvedScope default_;
   std::vector<ResolvedScope> scopes_;

@@ -1,5 +1,7 @@
 #include "scene/camera.hpp"
 
+#include "geometry/unit_vector.hpp"
+
 namespace trace {
 namespace {
 
@@ -16,6 +18,20 @@ void Camera::set_view(const Vec3& direction, const Vec3& up_direction) {
   look = direction;
   up = up_direction;
   right = glm::cross(up_direction, -direction);
+}
+
+void Camera::set_look_at(const Vec3& point) {
+  const Vec3 direction = unit_vector(point - eye).direction;
+  if (direction.x == 0 && direction.z == 0) return set_view(direction, Vec3(1, 0, 0));
+  const Vec3 out = unit_vector(glm::cross(direction, Vec3(0, 1, 0))).direction;
+  set_view(direction, glm::normalize(glm::cross(out, direction)));
+}
+
+void RayCaster::be_orthographic(const Camera& camera, double height) {
+  parallel_ = unit_vector(camera.look).direction;
+  look_ = Vec3(0);
+  u_ = unit_vector(camera.right).direction * height * camera.aspect;
+  v_ = unit_vector(camera.up).direction * height;
 }
 
 void Camera::set_quaternion(const Vec4& q) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <limits>
 #include <variant>
+#include <vector>
 
 #include "geometry/vector.hpp"
+#include "scene/beam.hpp"
 
 namespace trace {
 
@@ -63,6 +65,41 @@ struct PointLight {
   }
 };
 
-using Light = std::variant<DirectionalLight, PointLight>;
+// A point light whose light a beam limits: spot lights, Warn's lights, beams with a shape. It does not reach
+// a point for which the beam leaves nothing of it.
+struct SpotLight {
+  Rgb color;
+  Vec3 position;
+  float constant = 0, linear = 0, quadratic = 0;  // as PointLight has them
+  Beam beam;
+
+  LightSample sample(const Vec3& point) const;
+};
+
+// Lights that all cast shadows of their own with hard edges.
+using PlainLight = std::variant<DirectionalLight, PointLight, SpotLight>;
+
+// A light with a size, which makes soft shadows: it stands for n x n lights on it that share its colour. They
+// are the same for every point that is lit, so that pictures have no noise, and a soft edge has n^2 steps.
+struct AreaLight {
+  enum class Extent {
+    parallelogram,  // position + s u + t v, s and t from 0 to 1
+    disc,           // around the position; u and v are two of its radii, at right angles
+    ball,           // around the position; u is a radius
+  };
+  Rgb color;
+  Extent extent{};
+  Vec3 position, u, v;
+  float constant = 0, linear = 0, quadratic = 0;
+  Beam beam;
+
+  // In strata of equal light (Chiu, Shirley and Wang, "Multi-Jittered Sampling", Graphics Gems IV, 1994, with
+  // the jitter that is the same in all rows and columns): seen along u or v no two are at the same place. A
+  // ball is sampled so that it is an evenly bright disc from every side. Without limits of the beam they are
+  // point lights. 1: one light, in the middle.
+  std::vector<PlainLight> samples(int n) const;
+};
+
+using Light = std::variant<DirectionalLight, PointLight, SpotLight, AreaLight>;
 
 }  // namespace trace

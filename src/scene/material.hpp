@@ -61,6 +61,21 @@ struct BasicMappedMaterial {
   TextureId index = no_texture, shininess = no_texture;
   bool on_any_surface = false;  // a map is written as a bare string: it has a place on curved surfaces too
 
+  // What dialects add. They are the same all over an object, also of a mesh whose points have materials.
+  Rgb absorb{0};             // light is dimmed by exp(-absorb t) on a way t inside, on top of kt^t
+  double glossiness = 0;     // what is mirrored is spread: a point of a sphere of this radius is added to the
+                             // mirrored direction of unit length
+  bool blinn_phong = false;  // highlights by the half vector instead of the mirrored one
+
+  bool has_extras() const { return blinn_phong || glossiness != 0 || !is_zero(absorb); }
+
+  BasicMappedMaterial without_maps() const {
+    BasicMappedMaterial result = *this;
+    result.emissive = result.ambient = result.diffuse = result.specular = no_texture;
+    result.index = result.shininess = no_texture;
+    return result;
+  }
+
   bool has_maps() const {
     return emissive >= 0 || ambient >= 0 || diffuse >= 0 || specular >= 0 || index >= 0 || shininess >= 0;
   }

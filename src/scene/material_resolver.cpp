@@ -49,7 +49,42 @@ MappedMaterial MaterialResolver::resolve(const parser::Material& material, const
   return result;
 }
 
+// Parameters that have no map.
+bool MaterialResolver::assign_extra(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
+  switch (assignment.parameter) {
+    case Parameter::specular_model:
+      if (const auto* word = std::get_if<std::string>(&assignment.value)) {
+        result.blinn_phong = *word == "blinn-phong";
+        if (!result.blinn_phong && *word != "phong") {
+          diagnostics_.error(assignment.value_span, "'specular_model' is \"phong\" or \"blinn-phong\"");
+        }
+      }
+      return true;
+    case Parameter::absorb:
+      if (const auto* c = std::get_if<std::array<double, 3>>(&assignment.value)) {
+        result.absorb = Rgb((*c)[0], (*c)[1], (*c)[2]);
+        if (!glm::all(glm::greaterThanEqual(result.absorb, Rgb(0)))) {
+          diagnostics_.error(assignment.value_span, "'absorb' must not be negative");
+        }
+      } else {
+        diagnostics_.error(assignment.value_span, "'absorb' takes three numbers");
+      }
+      return true;
+    case Parameter::glossiness:
+      if (const auto* number = std::get_if<double>(&assignment.value)) {
+        result.glossiness = *number;
+        if (!(*number >= 0)) diagnostics_.error(assignment.value_span, "'glossiness' must not be negative");
+      } else {
+        diagnostics_.error(assignment.value_span, "'glossiness' takes one number");
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
 void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
+  if (assign_extra(result, assignment)) return;
   const ColorSlot slot = color_slot(result, assignment.parameter);
   if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
     const bool number =

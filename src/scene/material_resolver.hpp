@@ -19,6 +19,7 @@ class MaterialResolver {
   MappedMaterial resolve(const parser::Material& material, const MappedMaterial& inherited);
 
  private:
+  bool assign_extra(MappedMaterial& result, const parser::MaterialAssignment& assignment);
   void assign(MappedMaterial& result, const parser::MaterialAssignment& assignment);
 
   TextureCache& textures_;

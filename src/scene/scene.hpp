@@ -17,6 +17,7 @@
 #include "geometry/torus.hpp"
 #include "scene/camera.hpp"
 #include "scene/cube_map.hpp"
+#include "scene/fog.hpp"
 #include "scene/light.hpp"
 #include "scene/material.hpp"
 #include "scene/texture.hpp"
@@ -63,6 +64,7 @@ struct Scene {
   std::vector<MappedMaterial> materials;
   std::vector<Texture> textures;
   std::optional<CubeMap> cube_map;
+  std::optional<Fog> fog;
 
   // Whether any light can pass any object, so that shadows have to be followed through glass.
   bool has_transmissive_objects = false;

@@ -14,6 +14,23 @@ Vec3 highlight_direction(const Vec3& normal, const Vec3& towards_light, bool fro
   return 2 * std::max(0.0, cosine) * normal - towards_light;
 }
 
+// What is raised to the power of the shininess. Blinn, "Models of Light Reflection for Computer Synthesized
+// Pictures", SIGGRAPH 1977: the cosine between the normal and the vector halfway from the light to the
+// viewer, of a surface that is lit from the side of its normal. The shininess is taken as it is given.
+double highlight_cosine(const Surface& surface, const Vec3& normal, const Vec3& towards_light,
+                        const Vec3& to_viewer, bool from_behind) {
+  if (!surface.given().blinn_phong) {
+    return std::max(0.0, glm::dot(highlight_direction(normal, towards_light, from_behind), to_viewer));
+  }
+  Vec3 side = normal;
+  if (!(glm::dot(normal, towards_light) > 0)) {
+    if (!from_behind) return 0;
+    side = -normal;
+  }
+  const Vec3 half = towards_light + to_viewer;
+  return is_zero(half) ? 0 : std::max(0.0, glm::dot(side, glm::normalize(half)));
+}
+
 // The formulas, in plain numbers (Color = Rgb) or by the rules of PartialRgb, which are needed only where the
 // plain result is not finite: what a surface shows of itself, what share of one light's light it sends to the
 // viewer, and how much that is.
@@ -61,7 +78,7 @@ PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const
   }
 
   const Vec3 to_viewer = -toward_surface;
-  for (const Light& light : world.lights()) {
+  for (const PlainLight& light : world.lights()) {
     const LightSample sample = std::visit([&](const auto& l) { return l.sample(surface.point()); }, light);
     const Rgb& light_color = std::visit([](const auto& l) -> const Rgb& { return l.color; }, light);
     if (!sample.reaches) {
@@ -72,9 +89,9 @@ PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const
     const double diffuse = transmits ? std::abs(cosine) : std::max(0.0, cosine);
     double specular = 0;
     if (options.model_everything || needs_highlight(material, shininess)) {
-      const Vec3 highlight =
-          highlight_direction(normal, sample.towards, options.backface_specular && transmits);
-      specular = std::pow(std::max(0.0, glm::dot(highlight, to_viewer)), shininess);
+      specular = std::pow(highlight_cosine(surface, normal, sample.towards, to_viewer,
+                                           options.backface_specular && transmits),
+                          shininess);
       if (options.count_work) ++counts.work.highlights;
     }
     const Rgb share = reflected_share<Rgb>(material, diffuse, specular);

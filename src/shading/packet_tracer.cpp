@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shading/foggy.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shading/packet_tracer.cpp"
 #include "hwy/foreach_target.h"
@@ -11,10 +13,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace trace::HWY_NAMESPACE {
 
+// shading/foggy.hpp for the lanes `active`.
+void put_in_fog(const std::optional<Fog>& fog, const Rays& rays, Seen& seen, const Mask& active, Mask& odd) {
+  const VectorLanes origin(rays.origin), direction(rays.direction);
+  VectorLanes color(seen.color);
+  const Lanes t(seen.t);
+  unsigned broken = 0;
+  for (const std::size_t i : each_lane(without(active, odd))) {
+    const PartialRgb result = in_fog(fog, {origin[i], direction[i]}, PartialRgb(color[i]), t.at[i]);
+    color.set(i, result.value);
+    if (!result.finite()) broken |= 1u << i;
+  }
+  seen.color = color.vectors();
+  odd |= mask_of(broken);
+}
+
 void trace_batch(const TracedScene& traced, int depth, SampleBatch& batch, RayCounts& sum) {
   const PacketScene world{traced, depth};
+  const std::optional<Vec3> parallel = RayCaster(world.scene.camera).parallel();
   Rays rays;
-  rays.origin = Vectors(world.scene.camera.eye);
+  const Vectors eye(world.scene.camera.eye);
+  rays.origin = eye;
   rays.origin_error = rays.least_t = 0.0;
   Numbers primary = 0.0;
   LaneCounts total{0.0, 0.0, 0.0, nullptr};
@@ -22,7 +41,13 @@ void trace_batch(const TracedScene& traced, int depth, SampleBatch& batch, RayCo
   const Paths* const paths = world.options.least_contribution > 0 ? &whole : nullptr;
   for (std::size_t i = 0; i < batch.count; i += lanes) {
     const Mask active = first_lanes(std::min(lanes, batch.count - i));
-    rays.direction = normalized(Vectors(load(batch.x + i), load(batch.y + i), load(batch.z + i)));
+    const Vectors given(load(batch.x + i), load(batch.y + i), load(batch.z + i));
+    if (HWY_UNLIKELY(parallel.has_value())) {
+      rays.origin = eye + given;
+      rays.direction = Vectors(*parallel);
+    } else {
+      rays.direction = normalized(given);
+    }
     LaneCounts counts{0.0, 0.0, 0.0, nullptr};
     LaneWork work;
     if (world.options.count_work) {
@@ -32,6 +57,7 @@ void trace_batch(const TracedScene& traced, int depth, SampleBatch& batch, RayCo
     Mask odd = no_lanes();
     Seen seen;
     trace_packet(world, rays, active, Kind::visibility, depth, paths, seen, counts, odd);
+    if (HWY_UNLIKELY(world.scene.fog.has_value())) put_in_fog(world.scene.fog, rays, seen, active, odd);
     const Mask good = without(active, odd);
     primary += where(good, 1.0);
     total.reflected += where(good, counts.reflected);

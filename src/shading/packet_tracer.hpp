@@ -10,12 +10,12 @@
 
 namespace trace {
 
-// Rays from one eye and what they see. Neighbours should lie near each other in the picture.
+// Rays of one camera and what they see. Neighbours should lie near each other in the picture.
 struct SampleBatch {
   static constexpr std::size_t capacity = 256;
 
   std::size_t count = 0;
-  // Directions, not yet of unit length.
+  // Directions, not yet of unit length; of an orthographic camera where the rays start from the eye.
   alignas(64) double x[capacity], y[capacity], z[capacity];
   // The results. Those marked count neither here nor in the ray counts.
   alignas(64) double red[capacity], green[capacity], blue[capacity];

@@ -21,8 +21,18 @@ PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const S
       ++counts.work.maps;
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
-    if (glm::dot(surface.normal(), ray.direction) > 0)
-      left = left * transmittance(material.transmissive, hit.t);
+    if (glm::dot(surface.normal(), ray.direction) > 0) {
+      switch (options.transmissive_shadows) {
+        case TransmissiveShadows::distance:
+          left = left * transmittance(material.transmissive, surface.given().absorb, hit.t);
+          break;
+        case TransmissiveShadows::surface:
+          left = left * material.transmissive;
+          break;
+        case TransmissiveShadows::none:
+          break;
+      }
+    }
     // Where coordinates are so large that the step is lost in rounding, the same surface would be met for
     // ever.
     if (surface.point() == ray.origin) return left;

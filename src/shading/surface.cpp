@@ -37,6 +37,7 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
   const Object& object = scene.objects[hit.object];
   const MappedMaterial& material = scene.materials[object.material];
   material_ = &material.values;
+  given_ = &material;
   Vec3 normal = hit.local.normal, facing = normal;
   if (const auto* id = std::get_if<MeshId>(&object.shape)) {
     const SceneMesh& mesh = scene.meshes[id->index];

@@ -29,6 +29,8 @@ class Surface {
   // a mesh gives no direction (vertex normals that cancel, generated normals of a face without area).
   const Vec3& normal() const { return normal_; }
   const Material& material() const { return *material_; }
+  // What of the material is the same all over the object.
+  const MappedMaterial& given() const { return *given_; }
 
   // The ray from the point on, to either side. It starts exactly at the point, as the course's do, and knows
   // how far that may be from the true one.
@@ -42,6 +44,7 @@ class Surface {
   double point_error_;        // how far from where the ray meets the surface
   Material own_;              // filled where the material varies over the surface
   const Material* material_;  // own_ or the scene's
+  const MappedMaterial* given_;
 };
 
 }  // namespace trace

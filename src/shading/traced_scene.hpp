@@ -20,9 +20,9 @@ class TracedScene {
   const SceneTree& tree() const { return tree_; }
   const ShadingOptions& options() const { return options_; }
 
-  // Those that count, or all where everything is modelled.
-  const std::vector<Light>& lights() const { return lights_; }
-  std::size_t culled_lights() const { return scene_.lights.size() - lights_.size(); }
+  // Those that count, or all where everything is modelled; a light with a size is its samples.
+  const std::vector<PlainLight>& lights() const { return lights_; }
+  std::size_t culled_lights() const { return culled_lights_; }
 
   // What rays that hit nothing look up. None: they see black without looking.
   const CubeMap* surroundings() const {
@@ -38,7 +38,8 @@ class TracedScene {
   const Scene& scene_;
   const SceneTree& tree_;
   const ShadingOptions& options_;
-  std::vector<Light> lights_;
+  std::vector<PlainLight> lights_;
+  std::size_t culled_lights_ = 0;
   std::optional<CubeMap> black_;
 };
 

@@ -15,4 +15,10 @@ PartialRgb transmittance(const Rgb& kt, double length) {
   return power;
 }
 
+PartialRgb transmittance(const Rgb& kt, const Rgb& absorb, double length) {
+  const PartialRgb left = transmittance(kt, length);
+  if (is_zero(absorb) || length == length_of_miss) return left;
+  return left * PartialRgb(glm::exp(-absorb * length));
+}
+
 }  // namespace trace

@@ -14,4 +14,8 @@ inline constexpr double length_of_miss = -1;
 // undefined.
 PartialRgb transmittance(const Rgb& kt, double length);
 
+// The same with Beer's coefficients: what is left is multiplied by exp(-absorb * length). They do nothing to
+// what is seen of nothing.
+PartialRgb transmittance(const Rgb& kt, const Rgb& absorb, double length);
+
 }  // namespace trace

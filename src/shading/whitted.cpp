@@ -1,5 +1,7 @@
 #include "shading/whitted.hpp"
 
+#include "scene/sample_pattern.hpp"
+#include "shading/foggy.hpp"
 #include "shading/local_shading.hpp"
 #include "shading/secondary_direction.hpp"
 #include "shading/transmittance.hpp"
@@ -15,7 +17,8 @@ bool leads_somewhere(const Ray& ray) {
 
 PartialRgb WhittedTracer::trace(const Ray& ray, int depth) const {
   ++counts_.primary;
-  return trace(ray, Kind::visibility, depth, {}).color;
+  const Result seen = trace(ray, Kind::visibility, depth, {});
+  return in_fog(world_.scene().fog, ray, seen.color, seen.t);
 }
 
 WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth, const Path& path) const {
@@ -39,9 +42,9 @@ WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth,
     const double weight = options_.least_contribution > 0 ? path.weight_at(hit.t) : 1;
     if (!inside || options_.internal_reflection) {
       if (material.reflects()) {
-        color += reflected(ray, surface, inside, depth, weight);
+        color += reflected(ray, surface, kind, inside, depth, weight);
       } else if (world_.traces_for_nothing()) {
-        reflected(ray, surface, inside, depth, weight);
+        reflected(ray, surface, kind, inside, depth, weight);
       }
     }
     if (material.transmits()) {
@@ -53,7 +56,34 @@ WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth,
   return {color, hit.t};
 }
 
-PartialRgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, bool inside, int depth,
+// What is mirrored, of a glossy surface on the average over directions that are spread around the mirrored
+// one. Only what the eye sees directly is glossy: further on, the mirrored direction stands for all.
+WhittedTracer::Result WhittedTracer::mirrored(const Ray& ray, const Surface& surface, Kind kind, int depth,
+                                              const Path& path) const {
+  const Vec3 direction = mirrored_direction(ray.direction, surface.normal());
+  const double spread = surface.given().glossiness;
+  const int n = options_.light_samples;
+  if (spread == 0 || n == 1 || kind != Kind::visibility) {
+    ++counts_.reflected;
+    return trace(surface.leaving(direction), Kind::reflection, depth - 1, path);
+  }
+  const double side = glm::dot(surface.normal(), direction);
+  PartialRgb sum;
+  double count = 0, way = 0;
+  for (int k = 0; k < n * n; ++k) {
+    const Vec3 off = glm::normalize(direction + spread * on_sphere(multi_jittered(n, k)));
+    if (!(glm::dot(surface.normal(), off) * side > 0)) continue;  // into the surface
+    ++counts_.reflected;
+    const Result seen = trace(surface.leaving(off), Kind::reflection, depth - 1, path);
+    sum += seen.color;
+    way += seen.t;
+    ++count;
+  }
+  if (count == 0) return {PartialRgb(), length_of_miss};
+  return {sum * PartialRgb(Rgb(1 / count)), way / count};
+}
+
+PartialRgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, Kind kind, bool inside, int depth,
                                     double weight) const {
   const Material& material = surface.material();
   // Inside glass the light has come through it.
@@ -61,10 +91,11 @@ PartialRgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, bool
   if (options_.least_contribution > 0) weight *= largest(material.reflective);
   const Path path{weight, in_glass ? &material.transmissive : nullptr};
   if (is_too_faint(path.weight)) return {};
-  ++counts_.reflected;
-  const Ray mirrored = surface.leaving(mirrored_direction(ray.direction, surface.normal()));
-  const Result seen = trace(mirrored, Kind::reflection, depth - 1, path);
-  if (in_glass) return material.reflective * transmittance(material.transmissive, seen.t) * seen.color;
+  const Result seen = mirrored(ray, surface, kind, depth, path);
+  if (in_glass) {
+    return material.reflective * transmittance(material.transmissive, surface.given().absorb, seen.t) *
+           seen.color;
+  }
   return material.reflective * seen.color;
 }
 
@@ -83,7 +114,7 @@ PartialRgb WhittedTracer::refracted(const Ray& ray, const Surface& surface, bool
   const Ray bent = surface.leaving(*direction);
   const Result seen = trace(bent, Kind::refraction, depth - 1, path);
   if (!into_glass) return seen.color;
-  return transmittance(material.transmissive, seen.t) * seen.color;
+  return transmittance(material.transmissive, surface.given().absorb, seen.t) * seen.color;
 }
 
 bool WhittedTracer::is_too_faint(double weight) const {

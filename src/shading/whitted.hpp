@@ -20,7 +20,7 @@ class WhittedTracer {
       : world_(world), options_(world.options()), counts_(counts) {}
 
   // The colour seen along a primary ray, with at most `depth` bounces (0 to max_depth). Not clamped; it may
-  // be infinite or undefined.
+  // be infinite or undefined. With the scene's fog, which is between the eye and what it sees.
   //
   // A ray that leads nowhere hits nothing, and the cube map gives its colour as ever: one whose direction is
   // of length zero or not finite (a camera whose vectors cancel, or whose squares are beyond the range of
@@ -36,7 +36,9 @@ class WhittedTracer {
 
   // `weight` is that of the surface.
   Result trace(const Ray& ray, Kind kind, int depth, const Path& path) const;
-  PartialRgb reflected(const Ray& ray, const Surface& surface, bool inside, int depth, double weight) const;
+  PartialRgb reflected(const Ray& ray, const Surface& surface, Kind kind, bool inside, int depth,
+                       double weight) const;
+  Result mirrored(const Ray& ray, const Surface& surface, Kind kind, int depth, const Path& path) const;
   PartialRgb refracted(const Ray& ray, const Surface& surface, bool inside, int depth, double weight) const;
   bool is_too_faint(double weight) const;
 

@@ -14,6 +14,7 @@
 #include "rendering/budget.hpp"
 #include "rendering/film.hpp"
 #include "rendering/render.hpp"
+#include "scene/beyond_course.hpp"
 #include "study/competition.hpp"
 #include "study/converged.hpp"
 
@@ -71,8 +72,8 @@ class SceneStudy {
     result_.converged = {truth_.samples, truth_.depth, truth_.error, truth_.seconds, truth_.unsettled, ""};
     read_solution();
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
+      if (setting.arithmetic && !beyond_course(scene_).empty()) continue;  // it does not know such scenes
       if (picture_height(scene_, base_.width / setting.divisor) < 1) continue;  // of a very wide picture
-      if (setting.arithmetic && !plain_tracer_knows(scene_)) continue;
       if (setting.options.shading.model_everything)
         sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
       result_.settings.push_back({});

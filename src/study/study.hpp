@@ -36,7 +36,8 @@ struct StudyError : std::runtime_error {
 
 // Every setting is run once to warm up, which gives its picture and its counts; then all take turns, each
 // round begun with another, until each time is known better than it differs from the next one's, or the
-// seconds are over. `warnings` gets what the scene is warned of. Throws StudyError.
+// seconds are over. A scene with anything that the course's language does not have has no axis of arithmetic.
+// `warnings` gets what the scene is warned of. Throws StudyError.
 SceneResult study_scene(const StudyScene& scene, const StudyOptions& options, NamedPictures& pictures,
                         std::string& warnings);
 

@@ -47,6 +47,20 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors transmittances(const Vectors& kt, c
   return result;
 }
 
+// What each passage out of a transmissive surface leaves, by ShadingOptions::transmissive_shadows.
+HWY_INLINE Vectors shadow_factors(const PacketScene& world, const Surfaces& surface, const Numbers& way,
+                                  const Mask& some, Mask& odd) {
+  switch (world.options.transmissive_shadows) {
+    case TransmissiveShadows::distance:
+      break;
+    case TransmissiveShadows::surface:
+      return surface.material.transmissive;
+    case TransmissiveShadows::none:
+      return {1.0, 1.0, 1.0};
+  }
+  return transmittances(surface.material.transmissive, way, some, odd);
+}
+
 // shadow_attenuation() of shadow.hpp.
 HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shadow_attenuations(const PacketScene& world, Rays rays,
                                                                  Numbers distance, Mask active,
@@ -74,7 +88,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shadow_attenuations(const PacketSce
     active = without(active, opaque);
     const Mask leaves = active & (dot(surface.normal, rays.direction) > 0.0);
     if (any(leaves)) {
-      const Vectors dimmed = left * transmittances(surface.material.transmissive, hits.t, leaves, odd);
+      const Vectors dimmed = left * shadow_factors(world, surface, hits.t, leaves, odd);
       left = select(leaves, dimmed, left);
       odd |= without(leaves, all_finite(dimmed));
     }
@@ -110,6 +124,24 @@ HWY_INLINE LightSamples sample_of(const PointLight& light, const Vectors& point,
   const Numbers s = sqrt(square);
   const Numbers f = Numbers(light.constant) + double{light.linear} * s + double{light.quadratic} * s * s;
   return {(1.0 / s) * to_light, s, select(f > 1.0, 1.0 / f, 1.0)};
+}
+
+// Lane by lane: what limits a beam has many branches.
+HWY_INLINE LightSamples sample_of(const SpotLight& light, const Vectors& point, Mask& reached, Mask&) {
+  const VectorLanes points(point);
+  VectorLanes towards(Vectors(0.0, 0.0, 1.0));
+  Lanes distance(1.0), attenuation(0.0);
+  unsigned lit = 0;
+  for (const std::size_t i : each_lane(reached)) {
+    const LightSample one = light.sample(points[i]);
+    if (!one.reaches) continue;
+    lit |= 1u << i;
+    towards.set(i, one.towards);
+    distance.at[i] = one.distance;
+    attenuation.at[i] = one.attenuation;
+  }
+  reached &= mask_of(lit);
+  return {towards.vectors(), distance.numbers(), attenuation.numbers()};
 }
 
 // highlight_direction() of local_shading.cpp.
@@ -180,7 +212,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shade_locally(const PacketScene& wo
                                                            const Vectors& toward_surface, const Mask& hit,
                                                            LaneCounts& counts, Mask& odd) {
   const Materials& material = surface.material;
-  const std::vector<Light>& lights = world.traced.lights();
+  const std::vector<PlainLight>& lights = world.traced.lights();
   Vectors color = material.emissive + material.ambient * Vectors(world.scene.ambient);
   odd |= without(hit, all_finite(color) & all_finite(0.0 * surface.point + surface.normal));
   const Mask transmits = !is_zero(material.transmissive);
@@ -206,10 +238,12 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE Vectors shade_locally(const PacketScene& wo
   }
   const Mask asked = world.options.model_everything ? hit : which.lit;
   const Vectors to_viewer = -toward_surface;
-  for (const Light& light : lights) {
+  for (const PlainLight& light : lights) {
     if (none(without(asked, odd))) break;
     if (const auto* point = std::get_if<PointLight>(&light)) {
       add_light(world, *point, surface, normal, to_viewer, which, may_skip, color, counts, odd);
+    } else if (const auto* spot = std::get_if<SpotLight>(&light)) {
+      add_light(world, *spot, surface, normal, to_viewer, which, may_skip, color, counts, odd);
     } else {
       add_light(world, std::get<DirectionalLight>(light), surface, normal, to_viewer, which, may_skip, color,
                 counts, odd);

@@ -212,7 +212,7 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Shading
   result.facing = differs ? world_normals(frame, facing, odd) : result.normal;
   result.height =
       frame.to_world_stretch * (distance_to_surface + bound_at(frame.error_bound(), largest(result.point)));
-  unusual |= some & odd;
+  unusual |= material.has_extras() ? some : some & odd;
 }
 
 // The surfaces of the lanes `hit`; `unusual` gets those that only the scalar code can tell.

@@ -64,8 +64,8 @@ class CoherentFrame {
       for (const Light& light : scene_.lights) {
         if (const auto* point = std::get_if<PointLight>(&light)) {
           trace_shadow(surface, *point, hit, true);
-        } else {
-          trace_shadow(surface, std::get<DirectionalLight>(light), hit, true);
+        } else if (const auto* far = std::get_if<DirectionalLight>(&light)) {
+          trace_shadow(surface, *far, hit, true);
         }
       }
     }

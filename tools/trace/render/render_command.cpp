@@ -232,6 +232,18 @@ int render_command(int argc, const char* const* argv) {
                  "End paths of mirrored and refracted rays that carry less (0 to 1; 0: none)")
       ->check(number_between(0, 1))
       ->type_name("X");
+  app.add_option("--light-samples", options.shading.light_samples,
+                 "N x N shadows of each light that has a size, and rays of glossy surfaces")
+      ->check(CLI::Range(1, max_light_samples))
+      ->capture_default_str()
+      ->type_name("N");
+  std::string transmissive_shadows;
+  app.add_option(
+         "--transmissive-shadows", transmissive_shadows,
+         "What glass leaves of light: by the distance inside (the course's rule), once a surface, or all "
+         "(none: no shadow)")
+      ->check(CLI::IsMember({"distance", "surface", "none"}))
+      ->type_name("RULE");
   app.add_flag("--model-everything", options.shading.model_everything,
                "Everything is modelled, needed or not; the picture is the same, only slower");
   app.add_flag("--stats", arguments.stats,
@@ -258,6 +270,9 @@ int render_command(int argc, const char* const* argv) {
   arguments.budget.fixed_depth = arguments.depth_given;
   if (options.depth < 0) options.depth = 0;
   options.shading.count_work = arguments.stats || !arguments.stats_json.empty();
+  if (const auto rule = transmissive_shadows_named(transmissive_shadows)) {
+    options.shading.transmissive_shadows = *rule;
+  }
   if (const auto set = instruction_set_named(instruction_set)) options.instruction_set = *set;
   return run(arguments);
 }
