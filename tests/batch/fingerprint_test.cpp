@@ -14,4 +14,10 @@ TEST_CASE("a batch draws anew for another least contribution, not for everything
   CHECK(picture_key(job, "program") == key);
   job.options.shading.least_contribution = 0.1;
   CHECK(picture_key(job, "program") != key);
+  job.options.shading = {};
+  job.options.shading.light_samples = 5;
+  CHECK(picture_key(job, "program") != key);
+  job.options.shading = {};
+  job.options.shading.transmissive_shadows = TransmissiveShadows::none;
+  CHECK(picture_key(job, "program") != key);
 }

@@ -28,7 +28,7 @@ TEST_CASE("every key of the settings file sets its option") {
   const Read read(R"({"size": 64, "recursion_depth": 3, "threads": 2, "shadows": false, "smoothshade": false,
     "backface_culling": false, "internal_reflection": false, "backface_specular": true, "anti_alias": true,
     "supersamples": 4, "aa_threshold": 20, "threshold": 7.5, "blocksize": 8, "kdtree": false, "tree_depth": 20,
-    "leaf_size": 5, "filter_width": 1})");
+    "leaf_size": 5, "filter_width": 1, "light_samples": 6, "transmissive_shadows": "none"})");
   CHECK(read.file.valid);
   CHECK(read.file.messages.empty());
   RenderOptions options;
@@ -46,6 +46,8 @@ TEST_CASE("every key of the settings file sets its option") {
   CHECK(options.antialiasing.threshold == 20);
   CHECK(options.blocks.threshold == 7.5);
   CHECK(options.blocks.size == 8);
+  CHECK(options.shading.light_samples == 6);
+  CHECK(options.shading.transmissive_shadows == TransmissiveShadows::none);
 }
 
 TEST_CASE("what the settings file does not give stays") {
@@ -78,6 +80,9 @@ TEST_CASE("a setting of the wrong type is an error at its value") {
        {"{\"threshold\": [1]}",
         "s.json:1:15: error: 'threshold' takes a number that is not negative\n{\"threshold\": [1]}\n"
         "              ^~~\n"},
+       {"{\"transmissive_shadows\": true}",
+        "s.json:1:26: error: 'transmissive_shadows' takes \"distance\", \"surface\" or \"none\"\n"
+        "{\"transmissive_shadows\": true}\n                         ^~~~\n"},
        {"{\"anti_alias\": null}",
         "s.json:1:16: error: 'anti_alias' takes true or false\n{\"anti_alias\": null}\n               "
         "^~~~\n"}}));

@@ -34,7 +34,7 @@ TEST_CASE("the samples of a square fill its strata, and no two are in the same c
 }
 
 TEST_CASE("all samples of a light share its colour") {
-  AreaLight light;
+  AreaLight light{};
   light.color = Rgb(9, 18, 27);
   light.u = Vec3(1, 0, 0);
   light.v = Vec3(0, 2, 0);
@@ -44,7 +44,7 @@ TEST_CASE("all samples of a light share its colour") {
 }
 
 TEST_CASE("one sample of a light with a size is its middle") {
-  AreaLight light;
+  AreaLight light{};
   light.u = Vec3(1, 0, 0);
   light.v = Vec3(0, 2, 0);
   CHECK(places_of(light, 1) == std::vector<Vec3>{{0.5, 1, 0}});
@@ -53,7 +53,7 @@ TEST_CASE("one sample of a light with a size is its middle") {
 }
 
 TEST_CASE("the samples of a disc and of a ball are as many in each ring of equal area as its area says") {
-  AreaLight light;
+  AreaLight light{};
   light.extent = GENERATE(AreaLight::Extent::disc, AreaLight::Extent::ball);
   light.u = Vec3(2, 0, 0);
   light.v = Vec3(0, 2, 0);

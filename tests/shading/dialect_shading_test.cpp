@@ -118,7 +118,7 @@ TEST_CASE("a light with a size casts a soft shadow whose middle is half as brigh
   add(scene, Square{}, scaled(99), diffuse(Rgb(1)));
   // A screen at z = 2 over x < 0; the light at z = 4 is over -1 < x < 1: so is the penumbra.
   add(scene, Square{}, moved(-10, 0, 2) * scaled(20), diffuse(Rgb(0)));
-  AreaLight light;
+  AreaLight light{};
   light.color = Rgb(1);
   light.position = Vec3(-1, -1e-6, 4);
   light.u = Vec3(2, 0, 0);
@@ -141,7 +141,7 @@ TEST_CASE("a light with a size casts a soft shadow whose middle is half as brigh
 TEST_CASE("each sample of a light counts as a shadow ray, cast or spared") {
   Scene scene;
   add(scene, Square{}, scaled(4), diffuse(Rgb(1)));
-  AreaLight light;
+  AreaLight light{};
   light.color = Rgb(1);
   light.position = Vec3(0, 0, 9);
   light.u = Vec3(1, 0, 0);
@@ -160,7 +160,7 @@ TEST_CASE("each sample of a light counts as a shadow ray, cast or spared") {
 TEST_CASE("no shadow ray is cast for a point outside of a beam") {
   Scene scene;
   add(scene, Square{}, scaled(4), diffuse(Rgb(1)));
-  SpotLight light;
+  SpotLight light{};
   light.color = Rgb(1);
   light.position = Vec3(0, 0, 3);
   light.beam.direction = Vec3(0, 0, -1);
