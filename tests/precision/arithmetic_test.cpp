@@ -1,6 +1,7 @@
 // What the arithmetic of rays loses.
 #include <catch2/catch.hpp>
 
+#include "scene/beyond_course.hpp"
 #include "tests/precision/precision_pictures.hpp"
 
 using namespace trace;
