@@ -32,6 +32,10 @@ class NamesOfImages : public ImageSource {
     names_.insert_or_assign(file.string(), true);
     return share({1, 1, {0, 0, 0}});
   }
+  std::string bytes(const fs::path& file, std::uint64_t limit) override {
+    names_.insert_or_assign(file.string(), true);
+    return ImageSource::bytes(file, limit);
+  }
   bool exists(const fs::path& file) override {
     std::error_code ignored;
     names_.try_emplace(file.string(), false);

@@ -54,6 +54,11 @@ SharedImage SharedImages::read(const std::filesystem::path& file) {
   }
 }
 
+std::string SharedImages::bytes(const std::filesystem::path& file, std::uint64_t limit) {
+  asked_[file.string()] = file_hash(file);
+  return ImageSource::bytes(file, limit);
+}
+
 bool SharedImages::exists(const std::filesystem::path& file) {
   std::error_code ignored;
   const bool found = std::filesystem::exists(file, ignored);

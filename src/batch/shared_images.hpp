@@ -15,6 +15,7 @@ class SharedImages : public ImageSource {
   explicit SharedImages(BlobExchange& exchange) : exchange_(exchange) {}
 
   SharedImage read(const std::filesystem::path& file) override;
+  std::string bytes(const std::filesystem::path& file, std::uint64_t limit) override;
   bool exists(const std::filesystem::path& file) override;
   std::vector<std::filesystem::path> list(const std::filesystem::path& folder,
                                           std::error_code& error) override;

@@ -26,6 +26,24 @@ Vec3 Mesh::smooth_normal(std::uint32_t face, const Vec2& weights) const {
   return glm::normalize((1.0 - u - v) * normals[f[0]] + u * normals[f[1]] + v * normals[f[2]]);
 }
 
+Vec2 Mesh::coordinates_at(std::uint32_t face, const Vec2& weights) const {
+  const FaceCorners& f = faces[face];
+  const double u = weights.x, v = weights.y;
+  return (1.0 - u - v) * coordinates[f[0]] + u * coordinates[f[1]] + v * coordinates[f[2]];
+}
+
+std::optional<Tangents> Mesh::tangents(std::uint32_t face) const {
+  const FaceCorners& f = faces[face];
+  const Vec3 ab = points[f[1]] - points[f[0]], ac = points[f[2]] - points[f[0]];
+  const Vec2 uv_b = coordinates[f[1]] - coordinates[f[0]], uv_c = coordinates[f[2]] - coordinates[f[0]];
+  // ab = uv_b.x along_u + uv_b.y along_v, and likewise ac. Times the determinant, of which only the sign is
+  // needed: lengths do not count.
+  const double determinant = uv_b.x * uv_c.y - uv_b.y * uv_c.x;
+  if (!(determinant != 0)) return std::nullopt;
+  const double sign = determinant < 0 ? -1 : 1;
+  return checked({sign * (uv_c.y * ab - uv_b.y * ac), sign * (uv_b.x * ac - uv_c.x * ab)});
+}
+
 void add_polygon(Mesh& mesh, const std::uint32_t* corners, std::uint32_t count) {
   for (std::uint32_t k = 2; k < count; ++k) {
     const FaceCorners face{corners[0], corners[k - 1], corners[k]};

@@ -1,7 +1,11 @@
 #include "image/image_source.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+
+#include "image/input_file.hpp"
+#include "image/system_error.hpp"
 
 namespace trace {
 
@@ -13,6 +17,17 @@ std::vector<std::filesystem::path> ImageSource::list(const std::filesystem::path
     found.push_back(entry->path());
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::string ImageSource::bytes(const std::filesystem::path& file, std::uint64_t limit) {
+  const InputFile input(file);
+  if (input.size() > limit) {
+    throw ImageError("it has " + std::to_string(input.size()) + " bytes, more than " + std::to_string(limit));
+  }
+  std::string result(input.size(), '\0');
+  result.resize(std::fread(result.data(), 1, result.size(), input.stream()));
+  if (std::ferror(input.stream())) throw ImageError(system_reason(errno));
+  return result;
 }
 
 SharedImage FileImages::read(const std::filesystem::path& file) {

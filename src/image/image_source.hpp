@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -23,6 +24,9 @@ class ImageSource {
 
   // The picture in a file, as read_image. Throws ImageError.
   virtual SharedImage read(const std::filesystem::path& file) = 0;
+
+  // The bytes of a file that is no picture, at most `limit` of them. Throws ImageError, of longer files too.
+  virtual std::string bytes(const std::filesystem::path& file, std::uint64_t limit);
 
   // Whether there is such a file. Sources that keep account of what a scene depends on want to be asked.
   virtual bool exists(const std::filesystem::path& file) = 0;

@@ -36,6 +36,15 @@ std::string_view beyond_course(const Scene& scene) {
                   [](const MappedMaterial& m) { return m.has_extras(); })) {
     return "a material with parameters of its own";
   }
+  for (const Texture& texture : scene.textures) {
+    if (texture.is_solid()) return "a pattern in space";
+  }
+  for (const MappedMaterial& material : scene.materials) {
+    if (material.turns_normals()) return "a map of normals or heights";
+  }
+  for (const SceneMesh& mesh : scene.meshes) {
+    if (mesh.geometry.has_coordinates()) return "a mesh with texture coordinates";
+  }
   for (const Object& object : scene.objects) {
     if (const std::string_view what = beyond_course(scene, object); !what.empty()) return what;
   }

@@ -5,6 +5,7 @@
 #include "scene/dialect_lights.hpp"
 #include "scene/far_away.hpp"
 #include "scene/few_warnings.hpp"
+#include "scene/generated_mesh.hpp"
 #include "scene/graph.hpp"
 #include "scene/make_camera.hpp"
 #include "scene/make_fog.hpp"
@@ -13,6 +14,8 @@
 #include "scene/make_surroundings.hpp"
 #include "scene/material_maps.hpp"
 #include "scene/material_resolver.hpp"
+#include "scene/obj_meshes.hpp"
+#include "scene/surface_maps.hpp"
 
 namespace trace {
 namespace {
@@ -117,6 +120,8 @@ class SceneBuilder {
   std::uint32_t material_of(const GraphObject& object) {
     ResolvedScope& base = inherited(object.inherits);
     const auto& own = object.primitive->materials;
+    const auto maps = maps_beside(*object.primitive);
+    if (own.empty() && !maps.empty()) return add_material(resolver_.with(base.material, maps));
     if (own.empty()) {
       if (base.id < 0) base.id = add_material(base.material);
       return static_cast<std::uint32_t>(base.id);
@@ -126,7 +131,7 @@ class SceneBuilder {
     for (const parser::Material& material : own) {
       own_materials_.push_back(resolver_.resolve(material, base.material));
     }
-    return add_material(own_materials_.back());
+    return add_material(maps.empty() ? own_materials_.back() : resolver_.with(own_materials_.back(), maps));
   }
 
   void note_transmission(const Material& material) {
@@ -147,26 +152,29 @@ class SceneBuilder {
                  std::is_same_v<S, Torus> || std::is_same_v<S, Quadric>;
         },
         object.shape);
-    if (always || std::holds_alternative<MeshId>(object.shape)) return always;
+    if (always) return true;
+    if (const auto* id = std::get_if<MeshId>(&object.shape))
+      return scene_.meshes[id->index].geometry.has_coordinates();
     return description_.dialect != parser::Dialect::utexas ||
            scene_.materials[object.material].on_any_surface;
   }
 
-  // Maps on surfaces without texture coordinates become their constant, once all textures are open.
+  // Pictures on surfaces without texture coordinates become their constant, once all textures are open.
   void flatten_maps() {
     std::map<std::uint32_t, std::uint32_t> flattened;
     for (Object& object : scene_.objects) {
       const MappedMaterial material = scene_.materials[object.material];
       if (!material.has_maps() || has_texture_coordinates(object)) continue;
       auto [entry, is_new] = flattened.try_emplace(object.material, 0);
-      if (is_new) {
-        MappedMaterial flat = material.without_maps();
-        flat.values = at_point(material, scene_.textures, Vec2(0));
-        entry->second = add_material(flat);
-      }
+      if (is_new) entry->second = add_material(without_pictures(material, scene_.textures));
       object.material = entry->second;
     }
     for (const auto& [mesh, entries] : vertex_materials_) {
+      const Mesh& geometry = scene_.meshes[mesh].geometry;
+      if (geometry.has_coordinates() || has_solid_maps(entries)) {
+        flatten_at_points(scene_.meshes[mesh], entries);
+        continue;
+      }
       std::vector<Material> distinct;
       distinct.reserve(entries.materials.size());
       for (const MappedMaterial& material : entries.materials) {
@@ -176,6 +184,24 @@ class SceneBuilder {
       std::vector<Material>& all = scene_.meshes[mesh].materials;
       all.reserve(entries.of.size());
       for (const std::uint32_t index : entries.of) all.push_back(distinct[index]);
+    }
+  }
+
+  bool has_solid_maps(const VertexMaterials& entries) const {
+    for (const MappedMaterial& material : entries.materials) {
+      if (trace::has_solid_maps(material, scene_.textures)) return true;
+    }
+    return false;
+  }
+
+  // Where what a point is made of depends on where it is.
+  void flatten_at_points(SceneMesh& mesh, const VertexMaterials& entries) {
+    mesh.materials.reserve(entries.of.size());
+    for (std::size_t i = 0; i < entries.of.size(); ++i) {
+      const Vec2 uv = mesh.geometry.has_coordinates() ? repeated(mesh.geometry.coordinates[i]) : Vec2(0);
+      mesh.materials.push_back(
+          at_point(entries.materials[entries.of[i]], scene_.textures, uv, mesh.geometry.points[i]));
+      note_transmission(mesh.materials.back());
     }
   }
 
@@ -189,18 +215,41 @@ class SceneBuilder {
 
   void add_object(const GraphObject& object, FewWarnings& far) {
     const std::uint32_t material = material_of(object);
-    std::optional<Shape> shape =
+    const auto* mesh = std::get_if<parser::MeshId>(&object.primitive->shape);
+    if (mesh && description_.meshes[mesh->index].file) return add_obj(object, *mesh, material, far);
+    const std::optional<Shape> shape =
         std::visit([&](const auto& s) { return make_shape(s, object); }, object.primitive->shape);
-    if (!shape || object.frame < 0) return;
+    if (shape) place(object, *shape, material, far);
+  }
+
+  // One mesh for each of the file's materials.
+  void add_obj(const GraphObject& object, parser::MeshId mesh, std::uint32_t material, FewWarnings& far) {
+    const parser::Mesh& said = description_.meshes[mesh.index];
+    const MappedMaterial inherits = scene_.materials[material];
+    for (ObjObject& part :
+         objects_of(*said.file, said.generate_normals, inherits, textures_, images_, diagnostics_)) {
+      const std::uint32_t own = part.material ? add_material(*part.material) : material;
+      if (const auto shape = add_mesh(std::move(part.mesh))) place(object, *shape, own, far);
+    }
+  }
+
+  std::optional<Shape> add_mesh(Mesh mesh) {
+    if (mesh.faces.empty()) return std::nullopt;
+    scene_.meshes.push_back({std::move(mesh), {}});
+    return MeshId{static_cast<std::uint32_t>(scene_.meshes.size() - 1)};
+  }
+
+  void place(const GraphObject& object, const Shape& shape, std::uint32_t material, FewWarnings& far) {
+    if (object.frame < 0) return;
     const Mat4& to_world = scene_.frames[static_cast<std::size_t>(object.frame)].to_world;
-    const Bounds local = local_bounds(*shape);
+    const Bounds local = local_bounds(shape);
     const Bounds bounds = transformed(local, to_world);
     if (bounds.empty()) return;
     if (const auto far_away = find_far_away(local, to_world)) {
       far.add(object.keyword, far_away->message(name_of(object.primitive->shape)));
     }
     note_transmission(scene_.materials[material].values);
-    scene_.objects.push_back({*shape, bounds, static_cast<std::uint32_t>(object.frame), material});
+    scene_.objects.push_back({shape, bounds, static_cast<std::uint32_t>(object.frame), material});
   }
 
   std::optional<Shape> make_shape(const parser::Sphere&, const GraphObject&) { return Sphere{}; }
@@ -220,8 +269,12 @@ class SceneBuilder {
     return make_quadric(quadric, diagnostics_);
   }
 
-  std::optional<Shape> make_shape(const parser::TorusKnot&, const GraphObject&) { return std::nullopt; }
-  std::optional<Shape> make_shape(const parser::HeightField&, const GraphObject&) { return std::nullopt; }
+  std::optional<Shape> make_shape(const parser::TorusKnot& knot, const GraphObject&) {
+    return add_mesh(generated_mesh(knot, diagnostics_));
+  }
+  std::optional<Shape> make_shape(const parser::HeightField& field, const GraphObject&) {
+    return add_mesh(generated_mesh(field, textures_, diagnostics_));
+  }
 
   std::optional<Shape> make_shape(const parser::Cone& cone, const GraphObject&) {
     return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1,
@@ -246,12 +299,11 @@ class SceneBuilder {
         materials.of.push_back(resolved[index]);
       }
     }
-    Mesh mesh = make_mesh(std::move(said));
-    if (mesh.faces.empty()) return std::nullopt;
-    const auto index = static_cast<std::uint32_t>(scene_.meshes.size());
-    scene_.meshes.push_back({std::move(mesh), {}});
-    if (!materials.of.empty()) vertex_materials_[index] = std::move(materials);
-    return MeshId{index};
+    const std::optional<Shape> mesh = add_mesh(make_mesh(std::move(said)));
+    if (mesh && !materials.of.empty()) {
+      vertex_materials_[std::get<MeshId>(*mesh).index] = std::move(materials);
+    }
+    return mesh;
   }
 
   Bounds local_bounds(const Shape& shape) const {

@@ -19,7 +19,7 @@ const LightAttributes::Words exponent_words{
     "exponent", "specular_exponent", "focus_constraint", "beamDistribution", "drop_off_rate", "fall_rate",
     "p"};
 const LightAttributes::Words cone_words{"angle",     "cone_angle",    "coneangle",
-                                            "coneAngle", "cut_off_angle", "atten_angle"};
+                                        "coneAngle", "cut_off_angle", "atten_angle"};
 
 double radians(double degrees) {
   return degrees * (std::numbers::pi / 180);

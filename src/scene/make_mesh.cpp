@@ -20,6 +20,11 @@ Mesh make_mesh(parser::Mesh said) {
   Mesh mesh;
   mesh.points = take_vectors(said.points);
   mesh.normals = take_vectors(said.normals);
+  mesh.coordinates.reserve(said.texture_coordinates.size() / 2);
+  for (std::size_t i = 0; i + 1 < said.texture_coordinates.size(); i += 2) {
+    mesh.coordinates.emplace_back(said.texture_coordinates[i], said.texture_coordinates[i + 1]);
+  }
+  std::vector<double>().swap(said.texture_coordinates);
   const bool triangles = said.face_sizes.empty();
   const std::size_t count = triangles ? said.corners.size() / 3 : said.face_sizes.size();
   mesh.faces.reserve(said.corners.size() - 2 * count);

@@ -69,13 +69,10 @@ struct BasicMappedMaterial {
 
   bool has_extras() const { return blinn_phong || glossiness != 0 || !is_zero(absorb); }
 
-  BasicMappedMaterial without_maps() const {
-    BasicMappedMaterial result = *this;
-    result.emissive = result.ambient = result.diffuse = result.specular = no_texture;
-    result.index = result.shininess = no_texture;
-    return result;
-  }
+  // Of heights and of normals (scene/surface_maps.hpp): they turn the surface, not its parameters.
+  TextureId bump = no_texture, normal = no_texture;
 
+  bool turns_normals() const { return bump >= 0 || normal >= 0; }
   bool has_maps() const {
     return emissive >= 0 || ambient >= 0 || diffuse >= 0 || specular >= 0 || index >= 0 || shininess >= 0;
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/solid_pattern_of.hpp"
+
 namespace trace {
 namespace {
 
@@ -83,13 +85,21 @@ bool MaterialResolver::assign_extra(MappedMaterial& result, const parser::Materi
   }
 }
 
+MappedMaterial MaterialResolver::with(const MappedMaterial& material,
+                                      const std::vector<parser::MaterialAssignment>& assignments) {
+  MappedMaterial result = material;
+  for (const parser::MaterialAssignment& assignment : assignments) assign(result, assignment);
+  return result;
+}
+
 void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
-  if (assign_extra(result, assignment)) return;
+  if (assign_extra(result, assignment) || assign_surface_map(result, assignment)) return;
   const ColorSlot slot = color_slot(result, assignment.parameter);
   if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
     const bool number =
         assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
-    const TextureId id = textures_.open(map->file, assignment.value_span, number);
+    const TextureId id = textures_.open(*map, assignment.value_span, number);
+    if (id == no_texture && map->bare) return;
     if (slot.map) {
       *slot.map = id;
       if (map->bare) result.on_any_surface = true;
@@ -102,6 +112,10 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
                     assignment.parameter == Parameter::reflective ? "without reflection" : "opaque"));
     return;
   }
+  if (const auto* solid = std::get_if<parser::SolidTexture>(&assignment.value)) {
+    if (slot.map) *slot.map = textures_.add(Texture(pattern_of(*solid)));
+    return;
+  }
   if (slot.map) *slot.map = no_texture;
   if (const auto* number = std::get_if<double>(&assignment.value)) {
     *slot.value = Rgb(*number);
@@ -109,6 +123,21 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
     const auto& color = std::get<std::array<double, 3>>(assignment.value);
     *slot.value = Rgb(color[0], color[1], color[2]);
   }
+}
+
+bool MaterialResolver::assign_surface_map(MappedMaterial& result,
+                                          const parser::MaterialAssignment& assignment) {
+  TextureId* slot = nullptr;
+  if (assignment.parameter == Parameter::bump) slot = &result.bump;
+  if (assignment.parameter == Parameter::normal) slot = &result.normal;
+  if (!slot && assignment.parameter != Parameter::anisotropy) return false;
+  if (!slot) {
+    diagnostics_.warning(assignment.span, "a map of anisotropic highlights has no effect: they stay round");
+  } else if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
+    const TextureId id = textures_.open(*map, assignment.value_span, false);
+    if (id != no_texture) *slot = id;
+  }
+  return true;
 }
 
 }  // namespace trace

@@ -18,8 +18,14 @@ class MaterialResolver {
   // block with a name registers its result for those that follow.
   MappedMaterial resolve(const parser::Material& material, const MappedMaterial& inherited);
 
+  // A material with more assigned on top, in order.
+  MappedMaterial with(const MappedMaterial& material,
+                      const std::vector<parser::MaterialAssignment>& assignments);
+
  private:
   bool assign_extra(MappedMaterial& result, const parser::MaterialAssignment& assignment);
+  // Maps that turn the surface; false for any other parameter.
+  bool assign_surface_map(MappedMaterial& result, const parser::MaterialAssignment& assignment);
   void assign(MappedMaterial& result, const parser::MaterialAssignment& assignment);
 
   TextureCache& textures_;

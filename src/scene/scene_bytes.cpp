@@ -22,7 +22,8 @@ SceneBytes bytes_of(const Scene& scene) {
   SceneBytes result;
   for (const SceneMesh& mesh : scene.meshes) {
     result.meshes += sizeof mesh + bytes_in(mesh.geometry.points) + bytes_in(mesh.geometry.normals) +
-                     bytes_in(mesh.geometry.faces) + bytes_in(mesh.materials);
+                     bytes_in(mesh.geometry.faces) + bytes_in(mesh.geometry.coordinates) +
+                     bytes_in(mesh.materials);
   }
   result.textures = pixel_bytes(scene.textures);
   if (scene.cube_map) result.textures += pixel_bytes(scene.cube_map->faces());

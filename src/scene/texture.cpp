@@ -2,7 +2,17 @@
 
 #include <algorithm>
 
+#include "scene/material.hpp"
+
 namespace trace {
+
+struct Texture::Layer {
+  Texture picture;
+  double threshold;
+};
+
+Texture::Texture(const Texture& first, const Texture& second, double threshold)
+    : image_(first.image_), over_(std::make_shared<const Layer>(Layer{second, threshold})) {}
 
 template <class T>
 glm::vec<3, T, glm::defaultp> Texture::texel(int x, int y) const {
@@ -12,7 +22,7 @@ glm::vec<3, T, glm::defaultp> Texture::texel(int x, int y) const {
 }
 
 template <class T>
-glm::vec<3, T, glm::defaultp> Texture::sample_in(const glm::vec<2, T, glm::defaultp>& uv) const {
+glm::vec<3, T, glm::defaultp> Texture::picture_at(const glm::vec<2, T, glm::defaultp>& uv) const {
   // Written so that NaN becomes 0.
   const T u = uv.x > 0 ? std::min(uv.x, T(1)) : T(0), v = uv.y > 0 ? std::min(uv.y, T(1)) : T(0);
   const T x = u * static_cast<T>(image_.width - 1), y = v * static_cast<T>(image_.height - 1);
@@ -21,6 +31,18 @@ glm::vec<3, T, glm::defaultp> Texture::sample_in(const glm::vec<2, T, glm::defau
   const T s = x - static_cast<T>(x1), t = y - static_cast<T>(y1);
   return texel<T>(x1, y1) * (1 - s) * (1 - t) + texel<T>(x2, y1) * s * (1 - t) +
          texel<T>(x1, y2) * (1 - s) * t + texel<T>(x2, y2) * s * t;
+}
+
+template <class T>
+glm::vec<3, T, glm::defaultp> Texture::sample_in(const glm::vec<2, T, glm::defaultp>& uv) const {
+  using Color = glm::vec<3, T, glm::defaultp>;
+  if (solid_) return Color(solid_->at(Vec3(0)));
+  const Color first = picture_at(uv);
+  if (!over_) return first;
+  const Color second = over_->picture.sample_in<T>(uv);
+  const T threshold = static_cast<T>(over_->threshold);
+  const T weight = std::clamp((luminance(second) - threshold) / (1 - threshold), T(0), T(1));
+  return (1 - weight) * first + weight * second;
 }
 
 template glm::vec<3, float, glm::defaultp> Texture::sample_in(const glm::vec<2, float, glm::defaultp>&) const;

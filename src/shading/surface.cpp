@@ -5,16 +5,21 @@
 #include "geometry/rounding.hpp"
 #include "scene/material_maps.hpp"
 #include "scene/shape.hpp"
+#include "scene/surface_maps.hpp"
 
 namespace trace {
 namespace {
+
+Vec3 point_in(const Scene& scene, const Object& object, const Vec3& point) {
+  return Vec3(scene.frames[object.frame].to_object * Vec4(point, 1));
+}
 
 // Bound on the distance of a hit's point from the surface that was hit, as a displacement in each coordinate
 // of the world. It is measured rather than derived from how the point came about: carry the point into the
 // space of the object, which is off by a known bound, and see how far from the surface it is there.
 double height_of_point(const Scene& scene, const Object& object, const LocalHit& hit, const Vec3& point) {
   const Frame& frame = scene.frames[object.frame];
-  const Vec3 p(frame.to_object * Vec4(point, 1));
+  const Vec3 p = point_in(scene, object, point);
   const double distance = std::visit(
       [&](const auto& shape) {
         using S = std::decay_t<decltype(shape)>;
@@ -52,17 +57,17 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
     facing = Cone::facing(normal);
   }
   if (evaluates_maps(scene, object, always_maps)) {
-    Vec2 uv = hit.local.uv;
-    if (!tells_texture_coordinates(object.shape)) {
-      const Vec3 p(scene.frames[object.frame].to_object * Vec4(point_, 1));
-      uv = texture_coordinates(object.shape, hit.local, p);
-    }
-    own_ = at_point(material, scene.textures, uv);
+    const Vec3 p = point_in(scene, object, point_);
+    own_ = at_point(material, scene.textures, texture_coordinates(scene, object, hit.local, p), p);
     material_ = &own_;
   }
   const Frame& frame = scene.frames[object.frame];
   normal_ = frame.world_normal(normal);
   facing_ = normal == facing ? normal_ : frame.world_normal(facing);
+  if (material.turns_normals()) {
+    normal_ =
+        mapped_normal(scene, object, hit.local, point_in(scene, object, point_), normal_, ray.direction);
+  }
   height_ = height_of_point(scene, object, hit.local, point_);
   // Where the point should be is further on or back along the ray.
   point_error_ = height_ / std::max(std::abs(glm::dot(facing_, ray.direction)), least_cosine);

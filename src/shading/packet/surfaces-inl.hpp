@@ -9,6 +9,7 @@
 #include "acceleration/packet/scene-inl.hpp"
 #include "scene/material_maps.hpp"
 #include "scene/shape.hpp"
+#include "scene/surface_maps.hpp"
 #include "shading/options.hpp"
 #include "shading/packet/counts-inl.hpp"
 #include "shading/surface.hpp"
@@ -92,30 +93,6 @@ struct Surfaces {
   }
 };
 
-// Where the lanes `some` are in a texture.
-struct TextureLanes {
-  Lanes u, v;
-
-  HWY_INLINE TextureLanes(const Shape& shape, const LocalHits& hits, const Vectors& p, unsigned some)
-      : u(hits.u), v(hits.v) {
-    if (!tells_texture_coordinates(shape)) ask(shape, hits, p, some);
-  }
-  HWY_INLINE Vec2 operator[](std::size_t i) const { return {u.at[i], v.at[i]}; }
-
- private:
-  HWY_NOINLINE void ask(const Shape& shape, const LocalHits& hits, const Vectors& p, unsigned some) {
-    const VectorLanes points(p), normals(hits.normal);
-    for (const std::size_t i : each_lane(some)) {
-      LocalHit hit;
-      hit.normal = normals[i];
-      hit.uv = (*this)[i];
-      const Vec2 uv = texture_coordinates(shape, hit, points[i]);
-      u.at[i] = uv.x;
-      v.at[i] = uv.y;
-    }
-  }
-};
-
 // What the points of a mesh have (`of_points`), for the three corners of each lane's face.
 struct AtCorners {
   Vectors a, b, c;
@@ -156,11 +133,29 @@ HWY_INLINE Numbers distance_of_face(const Faces& face, const Vectors& normal, co
   return (abs(dot(from_a, normal)) + error) / sqrt(dot(normal, normal));
 }
 
-// The surfaces of the lanes `some`, which all hit `object` at `result.point`; but for the point what is
-// filled in for other lanes does not count. `unusual` gets those whose surface only the scalar code can tell.
+// Hits one by one, and their points in the space of the object.
+struct LocalHitLanes {
+  VectorLanes normal, p;
+  Lanes u, v, part;
+
+  HWY_INLINE LocalHitLanes(const LocalHits& hits, const Vectors& points)
+      : normal(hits.normal), p(points), u(hits.u), v(hits.v), part(hits.part) {}
+  HWY_INLINE LocalHit operator[](std::size_t i) const {
+    LocalHit hit;
+    hit.normal = normal[i];
+    hit.uv = Vec2(u.at[i], v.at[i]);
+    if (part.at[i] >= 0) hit.part = static_cast<std::uint32_t>(part.at[i]);  // of meshes
+    return hit;
+  }
+};
+
+// The surfaces of the lanes `some`, which all hit `object` at `result.point`, along `direction`; but for the
+// point what is filled in for other lanes does not count. `unusual` gets those whose surface only the scalar
+// code can tell.
 HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const ShadingOptions& options,
-                                               const Object& object, const LocalHits& local, const Mask& some,
-                                               Surfaces& result, Mask& unusual, const LaneCounts& counts) {
+                                               const Object& object, const Vectors& direction,
+                                               const LocalHits& local, const Mask& some, Surfaces& result,
+                                               Mask& unusual, const LaneCounts& counts) {
   const Frame& frame = scene.frames[object.frame];
   const MappedMaterial& material = scene.materials[object.material];
   const Vectors p = point_times(frame.to_object, result.point);
@@ -201,8 +196,11 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Shading
   }
   if (evaluates_maps(scene, object, options.model_everything)) {
     MaterialLanes own;
-    const TextureLanes uv(object.shape, local, p, bits);
-    for (const std::size_t i : each_lane(bits)) own.set(i, at_point(material, scene.textures, uv[i]));
+    const LocalHitLanes hits(local, p);
+    for (const std::size_t i : each_lane(bits)) {
+      const Vec2 uv = texture_coordinates(scene, object, hits[i], hits.p[i]);
+      own.set(i, at_point(material, scene.textures, uv, hits.p[i]));
+    }
     result.material = own.materials();
     note(counts, &LaneWork::maps, some);
   }
@@ -210,6 +208,15 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void fill(const Scene& scene, const Shading
   result.normal = world_normals(frame, normal, odd);
   // Where both are the same, so are the results.
   result.facing = differs ? world_normals(frame, facing, odd) : result.normal;
+  if (material.turns_normals()) {
+    const LocalHitLanes hits(local, p);
+    const VectorLanes directions(direction);
+    VectorLanes turned(result.normal);
+    for (const std::size_t i : each_lane(bits)) {
+      turned.set(i, mapped_normal(scene, object, hits[i], hits.p[i], turned[i], directions[i]));
+    }
+    result.normal = turned.vectors();
+  }
   result.height =
       frame.to_world_stretch * (distance_to_surface + bound_at(frame.error_bound(), largest(result.point)));
   unusual |= material.has_extras() ? some : some & odd;
@@ -230,12 +237,12 @@ HWY_MAYBE_UNUSED static HWY_NOINLINE void surfaces_of(const Scene& scene, const 
     const Mask same = hit & (hits.object == Numbers(static_cast<double>(id)));
     left &= ~bits_of(same);
     if (first) {
-      fill(scene, options, scene.objects[id], hits.local, same, result, unusual, counts);
+      fill(scene, options, scene.objects[id], rays.direction, hits.local, same, result, unusual, counts);
       continue;
     }
     Surfaces other;
     other.point = result.point;
-    fill(scene, options, scene.objects[id], hits.local, same, other, unusual, counts);
+    fill(scene, options, scene.objects[id], rays.direction, hits.local, same, other, unusual, counts);
     result.normal = select(same, other.normal, result.normal);
     result.facing = select(same, other.facing, result.facing);
     result.height = select(same, other.height, result.height);
