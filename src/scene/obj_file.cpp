@@ -39,6 +39,17 @@ void for_each_line(const std::string& text, const See& see) {
   }
 }
 
+// The library reads an index into an int and does not look at what is beyond.
+void check_indices(std::string_view line) {
+  line = trimmed(line);
+  if (line.size() < 2 || line[0] != 'f' || blanks.find(line[1]) == std::string_view::npos) return;
+  int digits = 0;
+  for (const char c : line) {
+    digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+    if (digits > 9) throw ObjError("a face has an index of more than nine digits");
+  }
+}
+
 std::string text_of(const std::filesystem::path& path, ImageSource& images) {
   try {
     return images.bytes(path, ObjFile::most_bytes);
@@ -237,7 +248,7 @@ tinyobj::callback_t callbacks() {
 
 ObjFile read_obj(const std::filesystem::path& path, ImageSource& images) {
   std::string text = text_of(path, images);
-  for_each_line(text, [](std::string_view) {});
+  for_each_line(text, check_indices);
   Reading reading;
   MaterialFiles files(path.parent_path(), images, reading.result);
   std::istringstream stream(std::move(text));

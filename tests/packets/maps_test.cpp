@@ -1,4 +1,6 @@
 // Maps in packets: the same bits as of single rays.
+#include <catch2/catch.hpp>
+
 #include "shading/surface.hpp"
 #include "tests/support/scene_picture.hpp"
 #include "tests/support/scene_random.hpp"
