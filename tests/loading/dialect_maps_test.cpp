@@ -52,7 +52,7 @@ TEST_CASE("a torus knot and a sphere of noise load without a word, and are no co
   CHECK(knot.messages == "");
   REQUIRE(knot.scene);
   CHECK(seen(*knot.scene, ray({1, 0.4, 5}, {0, 0, -1})) == Rgb(1));
-  CHECK(seen(*knot.scene) == Rgb(0));  // through the hole
+  CHECK(seen(*knot.scene, ray({0, 5, 0}, {0, -1, 0})) == Rgb(0));  // through the hole
   const LoadedScene noise = loaded(
       folder,
       "sphere { material = { diffuse = (1,1,1); } perlin_noise = { scale = 4; turbulence_depth = 7; } }\n");
