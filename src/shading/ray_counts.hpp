@@ -11,7 +11,7 @@ struct SparedShadows {
   std::uint64_t culled = 0;            // a light that adds nothing in the whole scene (counting_lights.hpp)
   std::uint64_t from_back = 0;         // an opaque surface seen from its back
   std::uint64_t reflects_nothing = 0;  // a surface without diffuse and specular colour
-  std::uint64_t out_of_reach = 0;      // a light that has no direction from there
+  std::uint64_t out_of_reach = 0;      // a light with no direction from there, or no light there
   std::uint64_t behind = 0;            // the light is behind the surface, and no highlight is seen
 
   SparedShadows& operator+=(const SparedShadows& other) {
