@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 
+#include "scene/dialect_rules.hpp"
+
 namespace trace {
 namespace {
 
@@ -15,12 +17,13 @@ std::string text(const std::optional<double>& number) {
 
 // Without what does not change the picture: threads, instruction set, ShadingOptions::model_everything.
 std::string text(const RenderOptions& o) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", o.width, o.depth,
-                     o.shading.shadows, o.shading.smooth_shading, o.shading.backface_culling,
-                     o.shading.internal_reflection, o.shading.backface_specular, o.shading.least_contribution,
-                     o.antialiasing.enabled, o.antialiasing.supersamples, o.antialiasing.threshold,
-                     o.blocks.threshold, o.blocks.size, o.sampling.grid, o.sampling.nine_points, o.sampling.threshold,
-                     o.sampling.most, o.shading.light_samples, name_of(o.shading.transmissive_shadows));
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(o.dialect),
+                     o.width, o.depth, o.shading.shadows, o.shading.smooth_shading,
+                     o.shading.backface_culling, o.shading.internal_reflection, o.shading.backface_specular,
+                     o.shading.least_contribution, o.antialiasing.enabled, o.antialiasing.supersamples,
+                     o.antialiasing.threshold, o.blocks.threshold, o.blocks.size, o.sampling.grid,
+                     o.sampling.nine_points, o.sampling.threshold, o.sampling.most, o.shading.light_samples,
+                     name_of(o.shading.transmissive_shadows));
 }
 
 bool inputs_are_current(const Record& record, FileHashes& files) {

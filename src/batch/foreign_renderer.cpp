@@ -53,7 +53,7 @@ Record inputs_of(const Job& job) {
   Record inputs = Record::array();
   inputs.push_back(input(job.scene, file_hash(job.scene)));
   NamesOfImages images;
-  load_scene(job.scene, job.options.width, images);
+  load_scene(job.scene, job.options, images);
   for (const auto& [file, wanted] : images.names()) inputs.push_back(input(file, file_hash(file)));
   const fs::path program = find_program(job.renderer.command.front());
   if (!program.empty()) inputs.push_back(input(program, file_hash(program)));

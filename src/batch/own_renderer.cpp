@@ -26,7 +26,7 @@ double cpu_seconds() {
 // What went wrong goes into `messages`; false where there is no picture.
 bool render_to_file(const Job& job, const parser::Source& source, SharedImages& images, std::string& messages,
                     std::uint64_t& rays) {
-  LoadedScene loaded = load_scene(source, job.options.width, images);
+  LoadedScene loaded = load_scene(source, job.options, images);
   messages += loaded.messages;
   if (!loaded.scene) return false;
   messages += add_cube_map(*loaded.scene, job.cube_map, images);

@@ -14,11 +14,12 @@ constexpr double min_slope = 1e-3;   // the language's: a cone without slope is 
 
 }  // namespace
 
-Cone::Cone(double bottom_radius, double top_radius, double height, bool capped)
+Cone::Cone(double bottom_radius, double top_radius, double height, bool capped, Habits habits)
     : bottom_radius_(std::max(std::abs(bottom_radius), min_radius)),
       top_radius_(std::max(std::abs(top_radius), min_radius)),
       height_(height),
       capped_(capped),
+      habits_(habits),
       slope_((top_radius_ - bottom_radius_) / height),
       apex_offset_(0) {
   if (std::abs(slope_) < min_slope) slope_ = min_slope;
@@ -87,18 +88,26 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
   };
   const double r1 = roots.second, r2 = roots.first;  // with + and - before the square root
   const bool good1 = on_side(r1), good2 = on_side(r2);
-  double t = ray.least_t;
-  if (good1 && r1 > t) t = r1;
-  if (good2 && ((good1 && r2 < t) || r2 > ray.least_t)) t = r2;
+  const bool course = habits_ == Habits::course;
+  const double none = course ? ray.least_t : std::numeric_limits<double>::infinity();
+  double t = none;
+  if (course) {
+    if (good1 && r1 > t) t = r1;
+    if (good2 && ((good1 && r2 < t) || r2 > ray.least_t)) t = r2;
+  } else {
+    if (good1 && r1 > ray.least_t) t = r1;
+    if (good2 && r2 > ray.least_t && r2 < t) t = r2;
+  }
 
-  if (t > ray.least_t) {
+  if (t != none && t > ray.least_t) {
     const Vec3 p = ray.at(t);
-    hit.normal = glm::normalize(Vec3(p.x, p.y, -2 * slope_ * slope_ * (p.z + apex_offset_)));
+    hit.normal = glm::normalize(Vec3(p.x, p.y, (course ? -2 : -1) * slope_ * slope_ * (p.z + apex_offset_)));
     if (!capped_ && glm::dot(hit.normal, d) > 0) hit.normal = -hit.normal;
   }
 
   if (capped_) {
-    // A cap counts only where it is nearer than the side, so a ray that meets caps alone misses.
+    // By the course's habits a cap counts only where it is nearer than the side, so a ray that meets caps
+    // alone misses.
     const auto try_cap = [&](double z, double radius, double facing) {
       if (std::abs(z - o.z) <= ray.origin_error) return;
       const double cap_t = (z - o.z) / d.z;
@@ -107,12 +116,12 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
       const double slack = 2 * (std::abs(p.x) * rounding(cap_t, 0) + std::abs(p.y) * rounding(cap_t, 1));
       if (!(radius_squared(p) <= radius * radius + slack)) return;
       t = cap_t;
-      hit.normal = Vec3(0, 0, d.z > 0 ? -facing : facing);
+      hit.normal = Vec3(0, 0, course && d.z > 0 ? -facing : facing);
     };
-    try_cap(0, bottom_radius_, 1);
-    try_cap(height_, top_radius_, -1);
+    try_cap(0, bottom_radius_, course ? 1 : -1);
+    try_cap(height_, top_radius_, course ? -1 : 1);
   }
-  if (!(t > ray.least_t)) return false;
+  if (t == none || !(t > ray.least_t)) return false;
   hit.t = t;
   return true;
 }

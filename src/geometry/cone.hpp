@@ -3,7 +3,8 @@
 // Side: x^2 + y^2 = B^2 (z + g)^2 with B the slope of the radius and -g the height of the apex. Three habits
 // of the course's renderer are kept because its pictures show them: the z part of the side's normal is twice
 // too large, the far root is taken even where the near one is nearer and good, and the cap at z = height
-// faces into the cone.
+// faces into the cone (that at z = 0 faces the ray). Habits::none is a cone without them: the nearest place
+// counts, and normals are at right angles to the surface and outward.
 #pragma once
 
 #include "geometry/bounds.hpp"
@@ -14,14 +15,15 @@ namespace trace {
 class Cone {
  public:
   // Radii are used without sign and are at least 1e-4; a cone of negative height is never hit.
-  Cone(double bottom_radius, double top_radius, double height, bool capped);
+  enum class Habits { course, none };
+  Cone(double bottom_radius, double top_radius, double height, bool capped, Habits habits = Habits::course);
 
   Bounds bounds() const;
   bool intersect(const Ray& ray, LocalHit& hit) const;
 
   // At right angles to the surface where a hit has `normal`, which on the side has twice the z part.
-  static Vec3 facing(const Vec3& normal) {
-    const bool on_side = normal.x != 0 || normal.y != 0;
+  Vec3 facing(const Vec3& normal) const {
+    const bool on_side = habits_ == Habits::course && (normal.x != 0 || normal.y != 0);
     return {normal.x, normal.y, on_side ? 0.5 * normal.z : normal.z};
   }
 
@@ -46,6 +48,7 @@ class Cone {
 
   double bottom_radius_, top_radius_, height_;
   bool capped_;
+  Habits habits_;
   double slope_;        // B
   double apex_offset_;  // g
 };

@@ -67,4 +67,10 @@ void generate_normals(Mesh& mesh) {
   }
 }
 
+void normalize_normals(Mesh& mesh) {
+  for (Vec3& normal : mesh.normals) {
+    if (!is_zero(normal)) normal = glm::normalize(normal);
+  }
+}
+
 }  // namespace trace

@@ -51,4 +51,7 @@ void add_polygon(Mesh& mesh, const std::uint32_t* corners, std::uint32_t count);
 // undefined.
 void generate_normals(Mesh& mesh);
 
+// Makes every vertex normal one of unit length, but for those of length zero.
+void normalize_normals(Mesh& mesh);
+
 }  // namespace trace

@@ -8,7 +8,6 @@
 
 #include "loading/description_bytes.hpp"
 #include "parser/parse.hpp"
-#include "rendering/options.hpp"
 #include "rendering/render.hpp"
 #include "scene/build.hpp"
 
@@ -53,18 +52,19 @@ class Stopwatch {
 
 }  // namespace
 
-LoadedScene load_scene(const parser::Source& source, int width, ImageSource& images) {
+LoadedScene load_scene(const parser::Source& source, const LoadOptions& options, ImageSource& images) {
   LoadedScene result;
   Stopwatch watch;
   parser::Diagnostics diagnostics;
   parser::Scene description = parser::parse(source, diagnostics);
+  description.dialect = options.dialect;
   source.release_memory();  // only messages need it now
   result.times.parse = watch.lap();
   result.sizes = {source.text().size(), bytes_of(description)};
   if (!diagnostics.has_errors()) {
     const parser::Span span = aspect_span(description);
     result.scene = build_scene(std::move(description), source, images, diagnostics);
-    check_size(*result.scene, width, span, diagnostics);
+    check_size(*result.scene, options.width, span, diagnostics);
   }
   if (diagnostics.has_errors()) result.scene.reset();
   result.messages = parser::render(source, diagnostics);
@@ -72,7 +72,7 @@ LoadedScene load_scene(const parser::Source& source, int width, ImageSource& ima
   return result;
 }
 
-LoadedScene load_scene(const std::string& file, int width, ImageSource& images) {
+LoadedScene load_scene(const std::string& file, const LoadOptions& options, ImageSource& images) {
   Stopwatch watch;
   std::optional<parser::Source> source;
   try {
@@ -81,7 +81,7 @@ LoadedScene load_scene(const std::string& file, int width, ImageSource& images) 
     return {std::nullopt, fmt::format("trace: error: {}\n", e.what()), {}, {}};
   }
   const double read = watch.lap();
-  LoadedScene result = load_scene(*source, width, images);
+  LoadedScene result = load_scene(*source, options, images);
   result.times.read = read;
   return result;
 }

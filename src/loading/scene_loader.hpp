@@ -6,6 +6,7 @@
 
 #include "image/image_source.hpp"
 #include "parser/source.hpp"
+#include "rendering/options.hpp"
 #include "scene/scene.hpp"
 
 namespace trace {
@@ -30,11 +31,19 @@ struct LoadedScene {
   LoadSizes sizes{};
 };
 
+struct LoadOptions {
+  int width;
+  parser::Dialect dialect = parser::Dialect::utexas;
+
+  LoadOptions(int picture_width) : width(picture_width) {}
+  LoadOptions(const RenderOptions& options) : width(options.width), dialect(options.dialect) {}
+};
+
 // `width` is that of the picture, whose height the scene decides and which may be out of bounds.
-LoadedScene load_scene(const parser::Source& source, int width, ImageSource& images);
+LoadedScene load_scene(const parser::Source& source, const LoadOptions& options, ImageSource& images);
 
 // The same from a file; "-" is standard input.
-LoadedScene load_scene(const std::string& file, int width, ImageSource& images);
+LoadedScene load_scene(const std::string& file, const LoadOptions& options, ImageSource& images);
 
 // Surrounds the scene with the six faces beside this one (scene/cube_map.hpp); "" is none. Where they cannot
 // be had the result is the warning, with its line end, and the scene has no surroundings.

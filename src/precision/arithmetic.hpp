@@ -32,6 +32,7 @@ struct ArithmeticPicture {
 // One sample a pixel, at its corner, as render() takes it. Of `options` width, depth and the switches of
 // shading count; antialiasing, blocks, instruction set and threads do not. Options must be within the limits
 // of rendering/options.hpp and picture_height() within those of a picture. An undefined channel is black.
+// The scene must be one that is drawn by the rules of utexas (DialectRules::draws_as_utexas()).
 // The same numbers for any number of threads (0: as many as the machine has).
 //
 // Throws std::invalid_argument for a scene with anything that the course's language does not have

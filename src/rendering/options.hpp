@@ -3,6 +3,7 @@
 
 #include "image/size_limits.hpp"
 #include "instruction_set/instruction_set.hpp"
+#include "parser/description.hpp"
 #include "shading/options.hpp"
 #include "shading/whitted.hpp"
 
@@ -29,6 +30,7 @@ struct Sampling {
 };
 
 struct RenderOptions {
+  parser::Dialect dialect = parser::Dialect::utexas;  // of which the scene is, when it is loaded
   int width = 512;
   int depth = 5;
   int threads = 0;  // 0: as many as the machine has

@@ -33,8 +33,10 @@ class SceneBuilder {
         folder_(source.directory()),
         images_(images),
         textures_(folder_, images, diagnostics),
-        resolver_(textures_, diagnostics),
-        camera_(diagnostics) {}
+        resolver_(textures_, diagnostics, rules_of(description.dialect)),
+        camera_(diagnostics, rules_of(description.dialect)) {
+    scene_.rules = rules_of(description.dialect);
+  }
 
   Scene build() {
     for (const parser::Item& item : description_.items) {
@@ -51,6 +53,9 @@ class SceneBuilder {
     }
     resolve_scopes(graph, graph.materials.size());  // for their errors
     scene_.textures = textures_.take();
+    if (scene_.rules.texels_have_width) {
+      for (Texture& texture : scene_.textures) texture.give_texels_width();
+    }
     flatten_maps();
     return std::move(scene_);
   }
@@ -279,7 +284,8 @@ class SceneBuilder {
   std::optional<Shape> make_shape(const parser::Cone& cone, const GraphObject&) {
     return Cone(cone.bottom_radius ? cone.bottom_radius->value : 1,
                 cone.top_radius ? cone.top_radius->value : 0, cone.height ? cone.height->value : 1,
-                cone.capped ? cone.capped->value : true);
+                cone.capped ? cone.capped->value : true,
+                scene_.rules.true_cones ? Cone::Habits::none : Cone::Habits::course);
   }
 
   std::optional<Shape> make_shape(const parser::MeshId& id, const GraphObject& object) {
@@ -299,7 +305,8 @@ class SceneBuilder {
         materials.of.push_back(resolved[index]);
       }
     }
-    const std::optional<Shape> mesh = add_mesh(make_mesh(std::move(said)));
+    const std::optional<Shape> mesh =
+        add_mesh(make_mesh(std::move(said), scene_.rules.unit_generated_normals));
     if (mesh && !materials.of.empty()) {
       vertex_materials_[std::get<MeshId>(*mesh).index] = std::move(materials);
     }

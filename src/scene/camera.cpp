@@ -34,6 +34,12 @@ void RayCaster::be_orthographic(const Camera& camera, double height) {
   v_ = unit_vector(camera.up).direction * height;
 }
 
+void Camera::set_orthonormal_view(const Vec3& direction, const Vec3& up_direction) {
+  look = glm::normalize(direction);
+  right = glm::normalize(glm::cross(look, up_direction));
+  up = glm::cross(right, look);
+}
+
 void Camera::set_quaternion(const Vec4& q) {
   const double x = q.x, y = q.y, z = q.z, w = q.w;
   right = Vec3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w));

@@ -8,7 +8,7 @@
 namespace trace {
 
 // As the language leaves it: at the origin, looking along -z, and the window one unit high at distance one.
-// The vectors are used as the scene gives them, neither normalised nor made orthogonal.
+// set_view() uses the vectors as the scene gives them, neither normalised nor made orthogonal.
 struct Camera {
   Vec3 eye{0};
   Vec3 look{0, 0, -1};
@@ -25,6 +25,8 @@ struct Camera {
   // From the eye towards a point, upright: with the top of the picture towards +y, or +x where it looks along
   // the y axis. The point is not the eye.
   void set_look_at(const Vec3& point);
+  // Unit vectors at right angles, in the plane of the two given; not finite where they do not span one.
+  void set_orthonormal_view(const Vec3& direction, const Vec3& up_direction);
   void set_quaternion(const Vec4& q);  // x, y, z, w; not normalised
 
   // Rows of a picture that is `width` wide; not limited to what fits an int.

@@ -19,7 +19,7 @@ void CameraMaker::add(const parser::Camera& block) {
     look_at_.reset();
   }
   if (block.viewdir && block.updir) {
-    camera_.set_view(vec3_of(*block.viewdir), vec3_of(*block.updir));
+    set_view(vec3_of(*block.viewdir), vec3_of(*block.updir));
     look_at_.reset();
   }
   if (block.look_at) {
@@ -30,6 +30,14 @@ void CameraMaker::add(const parser::Camera& block) {
   if (block.height) height_ = block.height;
 }
 
+void CameraMaker::set_view(const Vec3& direction, const Vec3& up) {
+  if (rules_.orthonormal_camera) {
+    camera_.set_orthonormal_view(direction, up);
+  } else {
+    camera_.set_view(direction, up);
+  }
+}
+
 Camera CameraMaker::take() {
   if (look_at_) {
     const Vec3 point = vec3_of(*look_at_);
@@ -37,7 +45,7 @@ Camera CameraMaker::take() {
       diagnostics_.error(look_at_->span, "'look_at' is where the camera is");
     } else {
       camera_.set_look_at(point);
-      if (up_) camera_.set_view(camera_.look, vec3_of(*up_));
+      if (up_) set_view(camera_.look, vec3_of(*up_));
     }
   }
   if (height_ && !(height_->value > 0)) {

@@ -6,12 +6,14 @@
 #include "parser/description.hpp"
 #include "parser/diagnostic.hpp"
 #include "scene/camera.hpp"
+#include "scene/dialect_rules.hpp"
 
 namespace trace {
 
 class CameraMaker {
  public:
-  explicit CameraMaker(parser::Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  CameraMaker(parser::Diagnostics& diagnostics, const DialectRules& rules)
+      : diagnostics_(diagnostics), rules_(rules) {}
 
   // Blocks in file order: what a later one gives replaces what earlier ones did.
   void add(const parser::Camera& block);
@@ -21,7 +23,10 @@ class CameraMaker {
   Camera take();
 
  private:
+  void set_view(const Vec3& direction, const Vec3& up);
+
   parser::Diagnostics& diagnostics_;
+  DialectRules rules_;
   Camera camera_;
   std::optional<parser::Vector3> look_at_, up_;  // where nothing later says which way to look
   bool orthographic_ = false;

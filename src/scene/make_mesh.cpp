@@ -16,7 +16,7 @@ std::vector<Vec3> take_vectors(std::vector<double>& numbers) {
 
 }  // namespace
 
-Mesh make_mesh(parser::Mesh said) {
+Mesh make_mesh(parser::Mesh said, bool unit_normals) {
   Mesh mesh;
   mesh.points = take_vectors(said.points);
   mesh.normals = take_vectors(said.normals);
@@ -34,7 +34,10 @@ Mesh make_mesh(parser::Mesh said) {
     add_polygon(mesh, &said.corners[first], size);
     first += size;
   }
-  if (said.generate_normals) generate_normals(mesh);
+  if (said.generate_normals) {
+    generate_normals(mesh);
+    if (unit_normals) normalize_normals(mesh);
+  }
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include "scene/solid_pattern_of.hpp"
 
 namespace trace {
@@ -37,6 +38,11 @@ ColorSlot color_slot(MappedMaterial& m, Parameter parameter) {
   return {&m.values.shininess, &m.shininess, "shininess"};
 }
 
+bool assigns(const parser::MaterialBlock& block, Parameter parameter) {
+  return std::any_of(block.assignments.begin(), block.assignments.end(),
+                     [&](const parser::MaterialAssignment& a) { return a.parameter == parameter; });
+}
+
 }  // namespace
 
 MappedMaterial MaterialResolver::resolve(const parser::Material& material, const MappedMaterial& inherited) {
@@ -47,6 +53,10 @@ MappedMaterial MaterialResolver::resolve(const parser::Material& material, const
   const auto& block = std::get<parser::MaterialBlock>(material.value);
   MappedMaterial result = inherited;
   for (const parser::MaterialAssignment& assignment : block.assignments) assign(result, assignment);
+  if (rules_.specular_reflects && assigns(block, Parameter::specular) &&
+      !assigns(block, Parameter::reflective)) {
+    result.values.reflective = result.specular == no_texture ? result.values.specular : Rgb(0);
+  }
   if (block.name) named_[block.name->value] = result;
   return result;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "scene/dialect_rules.hpp"
 #include "scene/graph.hpp"
 #include "scene/texture_cache.hpp"
 
@@ -11,8 +12,8 @@ namespace trace {
 
 class MaterialResolver {
  public:
-  MaterialResolver(TextureCache& textures, parser::Diagnostics& diagnostics)
-      : textures_(textures), diagnostics_(diagnostics) {}
+  MaterialResolver(TextureCache& textures, parser::Diagnostics& diagnostics, const DialectRules& rules = {})
+      : textures_(textures), diagnostics_(diagnostics), rules_(rules) {}
 
   // A block on top of what it inherits, or the complete material a name stands for. Call in file order: a
   // block with a name registers its result for those that follow.
@@ -30,6 +31,7 @@ class MaterialResolver {
 
   TextureCache& textures_;
   parser::Diagnostics& diagnostics_;
+  DialectRules rules_;
   std::map<std::string, MappedMaterial> named_;
 };
 

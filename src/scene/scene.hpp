@@ -17,6 +17,7 @@
 #include "geometry/torus.hpp"
 #include "scene/camera.hpp"
 #include "scene/cube_map.hpp"
+#include "scene/dialect_rules.hpp"
 #include "scene/fog.hpp"
 #include "scene/light.hpp"
 #include "scene/material.hpp"
@@ -55,6 +56,7 @@ struct SceneMesh {
 // Objects are in file order: of two hits at the same t the earlier object's counts. Where an object's
 // material has maps, they lie on it by its texture coordinates.
 struct Scene {
+  DialectRules rules;
   Camera camera;
   Rgb ambient{0};  // all ambient lights together
   std::vector<Light> lights;

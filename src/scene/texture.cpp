@@ -14,6 +14,14 @@ struct Texture::Layer {
 Texture::Texture(const Texture& first, const Texture& second, double threshold)
     : image_(first.image_), over_(std::make_shared<const Layer>(Layer{second, threshold})) {}
 
+void Texture::give_texels_width() {
+  has_width_ = true;
+  if (!over_) return;
+  Layer layer = *over_;
+  layer.picture.give_texels_width();
+  over_ = std::make_shared<const Layer>(std::move(layer));
+}
+
 template <class T>
 glm::vec<3, T, glm::defaultp> Texture::texel(int x, int y) const {
   const auto row = static_cast<std::size_t>(image_.height - 1 - y);
@@ -25,7 +33,9 @@ template <class T>
 glm::vec<3, T, glm::defaultp> Texture::picture_at(const glm::vec<2, T, glm::defaultp>& uv) const {
   // Written so that NaN becomes 0.
   const T u = uv.x > 0 ? std::min(uv.x, T(1)) : T(0), v = uv.y > 0 ? std::min(uv.y, T(1)) : T(0);
-  const T x = u * static_cast<T>(image_.width - 1), y = v * static_cast<T>(image_.height - 1);
+  const T across = static_cast<T>(image_.width - 1), upward = static_cast<T>(image_.height - 1);
+  const T x = has_width_ ? std::min(u * static_cast<T>(image_.width), across) : u * across;
+  const T y = has_width_ ? std::min(v * static_cast<T>(image_.height), upward) : v * upward;
   const int x1 = static_cast<int>(x), y1 = static_cast<int>(y);
   const int x2 = std::min(x1 + 1, image_.width - 1), y2 = std::min(y1 + 1, image_.height - 1);
   const T s = x - static_cast<T>(x1), t = y - static_cast<T>(y1);

@@ -26,6 +26,9 @@ class Texture {
   // The value at a place of a picture, or at a point of a pattern.
   Rgb sample(const Vec2& uv, const Vec3& point) const { return solid_ ? solid_->at(point) : sample(uv); }
   bool is_solid() const { return solid_ != nullptr; }
+  // From here on u = 1 is the far edge of the last texel, not its centre: x = u w and y = v h, and what lies
+  // beyond the last texel is that texel.
+  void give_texels_width();
   // The same in another kind of number: float, double or long double.
   template <class T>
   glm::vec<3, T, glm::defaultp> sample_in(const glm::vec<2, T, glm::defaultp>& uv) const;
@@ -43,6 +46,7 @@ class Texture {
   struct Layer;
   std::shared_ptr<const Layer> over_;
   std::shared_ptr<const SolidPattern> solid_;
+  bool has_width_ = false;
 };
 
 }  // namespace trace

@@ -4,7 +4,8 @@
 // of |kr|; a refracted ray has its surface's. The weight of the surface that a ray hits is the ray's, times
 // the largest channel of kt^t where the ray came a way t through glass of transmission kt. That way is known
 // only when the ray has been traced, so it ends no ray but those behind the hit. A ray of a weight below
-// ShadingOptions::least_contribution is not traced and shows black.
+// ShadingOptions::least_contribution is not traced and shows black. By DialectRules::transmission_at_surfaces
+// a refracted ray has its surface's weight times the largest channel of |kt|, and the way counts nothing.
 #pragma once
 
 #include "geometry/rounding.hpp"

@@ -17,9 +17,9 @@ Vec3 highlight_direction(const Vec3& normal, const Vec3& towards_light, bool fro
 // What is raised to the power of the shininess. Blinn, "Models of Light Reflection for Computer Synthesized
 // Pictures", SIGGRAPH 1977: the cosine between the normal and the vector halfway from the light to the
 // viewer, of a surface that is lit from the side of its normal. The shininess is taken as it is given.
-double highlight_cosine(const Surface& surface, const Vec3& normal, const Vec3& towards_light,
-                        const Vec3& to_viewer, bool from_behind) {
-  if (!surface.given().blinn_phong) {
+double highlight_cosine(const DialectRules& rules, const Surface& surface, const Vec3& normal,
+                        const Vec3& towards_light, const Vec3& to_viewer, bool from_behind) {
+  if (!surface.given().blinn_phong && !rules.halfway_highlights) {
     return std::max(0.0, glm::dot(highlight_direction(normal, towards_light, from_behind), to_viewer));
   }
   Vec3 side = normal;
@@ -66,11 +66,12 @@ PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const
     return color;
   }
   const bool is_back = glm::dot(normal, toward_surface) > 0;
-  if (is_back && transmits) normal = -normal;
+  const DialectRules& rules = scene.rules;
+  if (is_back && (transmits || rules.two_sided)) normal = -normal;
   const double shininess = luminance(material.shininess);
   // A surface that sends nothing of a light needs no shadow ray, unless 0 times what comes back is not 0.
   const bool may_skip = !scene.shadow_may_be_undefined && shininess >= 0;
-  const bool unlit_back = is_back && !transmits;
+  const bool unlit_back = is_back && !transmits && !rules.two_sided;
   const bool unlit = unlit_back || (may_skip && is_zero(material.diffuse) && is_zero(material.specular));
   if (unlit && !options.model_everything) {
     (unlit_back ? spared.from_back : spared.reflects_nothing) += world.lights().size();
@@ -86,10 +87,11 @@ PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const
       continue;
     }
     const double cosine = glm::dot(normal, sample.towards);
-    const double diffuse = transmits ? std::abs(cosine) : std::max(0.0, cosine);
+    const double diffuse = transmits && !rules.two_sided ? std::abs(cosine) : std::max(0.0, cosine);
     double specular = 0;
-    if (options.model_everything || needs_highlight(material, shininess)) {
-      specular = std::pow(highlight_cosine(surface, normal, sample.towards, to_viewer,
+    const bool may_shine = !rules.halfway_highlights || cosine > 0;
+    if (may_shine && (options.model_everything || needs_highlight(material, shininess))) {
+      specular = std::pow(highlight_cosine(rules, surface, normal, sample.towards, to_viewer,
                                            options.backface_specular && transmits),
                           shininess);
       if (options.count_work) ++counts.work.highlights;

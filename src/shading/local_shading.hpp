@@ -14,6 +14,9 @@ namespace trace {
 // emission and ambient light too, and a light that does not reach it (LightSample) adds nothing. With a
 // negative shininess a highlight whose cosine is 0 is infinite, and undefined where its colour is 0.
 //
+// By DialectRules::two_sided any surface is shaded with its normal turned to the viewer, and light from
+// behind it adds nothing; by DialectRules::halfway_highlights highlights are Blinn's.
+//
 // No shadow ray is cast for a light that adds nothing whatever the shadow is: RayCounts::work tells of which
 // there were how many. With ShadingOptions::model_everything they are cast.
 PartialRgb shade_locally(const TracedScene& world, const Surface& surface, const Vec3& toward_surface,

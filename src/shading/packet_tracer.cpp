@@ -86,6 +86,10 @@ PacketTracer::PacketTracer(const TracedScene& world, InstructionSet set, RayCoun
     : world_(world), set_(set), counts_(counts) {}
 
 void PacketTracer::trace(SampleBatch& batch, int depth) const {
+  if (set_ == InstructionSet::baseline || !world_.scene().rules.draws_as_utexas()) {
+    std::fill_n(batch.left_out, batch.count, true);
+    return;
+  }
   switch (set_) {
     case InstructionSet::avx512:
       return N_AVX3::trace_batch(world_, depth, batch, counts_);

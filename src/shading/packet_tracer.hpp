@@ -33,7 +33,7 @@ struct SampleBatch {
 class PacketTracer {
  public:
   // Refers to its arguments, which must outlive it. `counts` is for one thread. The baseline leaves out all
-  // samples.
+  // samples; so does every set in a scene that is not drawn by the rules of utexas (scene/dialect_rules.hpp).
   PacketTracer(const TracedScene& world, InstructionSet set, RayCounts& counts);
 
   void trace(SampleBatch& batch, int depth) const;

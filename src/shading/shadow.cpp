@@ -21,7 +21,10 @@ PartialRgb shadow_attenuation(const Scene& scene, const SceneTree& tree, const S
       ++counts.work.maps;
     const Material& material = surface.material();
     if (!material.transmits()) return Rgb(0);
-    if (glm::dot(surface.normal(), ray.direction) > 0) {
+    if (scene.rules.transmission_at_surfaces &&
+        options.transmissive_shadows == TransmissiveShadows::distance) {
+      left = left * PartialRgb(material.transmissive);
+    } else if (glm::dot(surface.normal(), ray.direction) > 0) {
       switch (options.transmissive_shadows) {
         case TransmissiveShadows::distance:
           left = left * transmittance(material.transmissive, surface.given().absorb, hit.t);

@@ -53,8 +53,8 @@ Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth
       own_ = mesh.material_at(hit.local.part, hit.local.uv);
       material_ = &own_;
     }
-  } else if (std::holds_alternative<Cone>(object.shape)) {
-    facing = Cone::facing(normal);
+  } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
+    facing = cone->facing(normal);
   }
   if (evaluates_maps(scene, object, always_maps)) {
     const Vec3 p = point_in(scene, object, point_);

@@ -23,7 +23,7 @@ PartialRgb WhittedTracer::trace(const Ray& ray, int depth) const {
 
 WhittedTracer::Result WhittedTracer::trace(const Ray& ray, Kind kind, int depth, const Path& path) const {
   const Scene& scene = world_.scene();
-  const bool cull = options_.backface_culling && kind != Kind::refraction;
+  const bool cull = options_.backface_culling && !scene.rules.two_sided && kind != Kind::refraction;
   const Hit hit = leads_somewhere(ray) ? world_.tree().closest(ray, cull) : Hit();
   if (!hit) {
     const CubeMap* surroundings = world_.surroundings();
@@ -87,7 +87,7 @@ PartialRgb WhittedTracer::reflected(const Ray& ray, const Surface& surface, Kind
                                     double weight) const {
   const Material& material = surface.material();
   // Inside glass the light has come through it.
-  const bool in_glass = inside && material.transmits();
+  const bool in_glass = inside && material.transmits() && !world_.scene().rules.transmission_at_surfaces;
   if (options_.least_contribution > 0) weight *= largest(material.reflective);
   const Path path{weight, in_glass ? &material.transmissive : nullptr};
   if (is_too_faint(path.weight)) return {};
@@ -106,6 +106,14 @@ PartialRgb WhittedTracer::refracted(const Ray& ray, const Surface& surface, bool
   const double index = luminance(material.index);
   const std::optional<Vec3> direction = refracted_direction(ray.direction, n, inside ? index : 1 / index);
   if (!direction) return {};  // only the reflected ray goes on
+  if (world_.scene().rules.transmission_at_surfaces) {
+    if (options_.least_contribution > 0) weight *= largest(material.transmissive);
+    if (is_too_faint(weight)) return {};
+    ++counts_.refracted;
+    const Result seen =
+        trace(surface.leaving(*direction), Kind::refraction, depth - 1, Path{weight, nullptr});
+    return PartialRgb(material.transmissive) * seen.color;
+  }
   // Beer's law with the material that is entered, over the way to whatever is hit next.
   const bool into_glass = !inside && material.transmits();
   const Path path{weight, into_glass ? &material.transmissive : nullptr};

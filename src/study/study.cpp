@@ -74,6 +74,8 @@ class SceneStudy {
     for (Setting& setting : ladders({base_, truth_.depths}, options_.axes)) {
       if (setting.arithmetic && !beyond_course(scene_).empty()) continue;  // it does not know such scenes
       if (picture_height(scene_, base_.width / setting.divisor) < 1) continue;  // of a very wide picture
+      // The tracers of other arithmetic know the rules of utexas alone.
+      if (setting.arithmetic && !scene_.rules.draws_as_utexas()) continue;
       if (setting.options.shading.model_everything)
         sorted_tree_.emplace(scene_, base_.threads, base_.instruction_set, true);
       result_.settings.push_back({});
@@ -89,7 +91,7 @@ class SceneStudy {
  private:
   static Scene load(const StudyScene& what, std::string& warnings) {
     FileImages images;
-    LoadedScene loaded = load_scene(what.file, what.options.width, images);
+    LoadedScene loaded = load_scene(what.file, what.options, images);
     if (!loaded.scene) throw StudyError(loaded.messages);
     warnings += loaded.messages;
     warnings += add_cube_map(*loaded.scene, what.cube_map, images);

@@ -28,7 +28,7 @@ TEST_CASE("texture_uv and map_points are where a mesh's points are on its maps")
   CHECK(found.messages == "");
   REQUIRE(found.scene);
   CHECK(seen(*found.scene) == near(0.5, 0.5, 0.5));
-  CHECK_FALSE(is_core(*found.scene));
+  CHECK_FALSE(beyond_course(*found.scene).empty());
 }
 
 TEST_CASE("an objfile is drawn in the mesh's material where its own is not there") {
@@ -58,5 +58,5 @@ TEST_CASE("a torus knot and a sphere of noise load without a word, and are no co
       "sphere { material = { diffuse = (1,1,1); } perlin_noise = { scale = 4; turbulence_depth = 7; } }\n");
   CHECK(noise.messages == "");
   REQUIRE(noise.scene);
-  CHECK_FALSE(is_core(*noise.scene));
+  CHECK_FALSE(beyond_course(*noise.scene).empty());
 }

@@ -98,6 +98,7 @@ class Planner {
     job.scene = (fs::path(arguments_.folder) / scene).string();
     job.options.depth = *options.depth;
     job.options.width = *options.width;
+    job.options.dialect = arguments_.options.dialect;
     for (const Settings& settings : options.settings) settings.apply(job.options);
     job.cube_map = options.cube_map.value_or("");
     job.limits = {std::chrono::duration<double>(*options.timeout),

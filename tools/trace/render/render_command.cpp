@@ -12,6 +12,7 @@
 #include "loading/settings_file.hpp"
 #include "parallel/parallel.hpp"
 #include "rendering/budget.hpp"
+#include "tools/trace/dialect_option.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/number_between.hpp"
 #include "tools/trace/render/progress_line.hpp"
@@ -117,7 +118,7 @@ int run(Arguments& arguments) {
   clock.lap(Stage::start);
 
   FileImages images;
-  LoadedScene loaded = load_scene(arguments.scene, arguments.options.width, images);
+  LoadedScene loaded = load_scene(arguments.scene, arguments.options, images);
   if (!loaded.messages.empty() && (!arguments.quiet || !loaded.scene))
     fmt::print(stderr, "{}", loaded.messages);
   if (!loaded.scene) return exit_bad_input;
@@ -198,6 +199,7 @@ int render_command(int argc, const char* const* argv) {
       ->type_name("FILE");
   app.add_option("-c,--cubemap", arguments.cube_map, "One of six faces; the other five lie beside it")
       ->type_name("FACE");
+  add_dialect_option(app, options.dialect);
   auto* threads = app.add_option("-t,--threads", options.threads, "Threads (default: one a processor)")
                       ->check(CLI::Range(1, 1024))
                       ->type_name("N");
