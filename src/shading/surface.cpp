@@ -38,7 +38,7 @@ double height_of_point(const Scene& scene, const Object& object, const LocalHit&
 }  // namespace
 
 Surface::Surface(const Scene& scene, const Ray& ray, const Hit& hit, bool smooth, bool always_maps)
-    : point_(ray.at(hit.t)) {
+    : point_(ray.at(hit.t)), least_way_(scene.rules.least_way) {
   const Object& object = scene.objects[hit.object];
   const MappedMaterial& material = scene.materials[object.material];
   material_ = &material.values;
@@ -78,7 +78,8 @@ Ray Surface::leaving(const Vec3& direction) const {
   // that the ray leaves by as much again: up to there all is one. A ray that does not rise at all, as far as
   // its direction tells, runs in the surface and meets what stands at its edge, as in the course's pictures.
   const double cosine = std::abs(glm::dot(facing_, direction));
-  return {point_, direction, point_error_, cosine > least_cosine ? 4 * height_ / cosine : 0};
+  const double least_t = cosine > least_cosine ? 4 * height_ / cosine : 0;
+  return {point_, direction, point_error_, std::max(least_t, least_way_)};
 }
 
 }  // namespace trace

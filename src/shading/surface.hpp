@@ -47,6 +47,7 @@ class Surface {
   Vec3 normal_;
   Vec3 facing_;               // the normal of the surface as it is, where `normal_` is interpolated or turned
   double height_;             // how far the point may be from the surface, in each coordinate
+  double least_way_;          // DialectRules::least_way
   double point_error_;        // how far from where the ray meets the surface
   Material own_;              // filled where the material varies over the surface
   const Material* material_;  // own_ or the scene's

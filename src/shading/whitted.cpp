@@ -103,8 +103,9 @@ PartialRgb WhittedTracer::refracted(const Ray& ray, const Surface& surface, bool
                                     double weight) const {
   const Material& material = surface.material();
   const Vec3 n = inside ? -surface.normal() : surface.normal();
-  const double index = luminance(material.index);
-  const std::optional<Vec3> direction = refracted_direction(ray.direction, n, inside ? index : 1 / index);
+  const double index = luminance(material.index), air = world_.scene().rules.index_of_air;
+  const std::optional<Vec3> direction =
+      refracted_direction(ray.direction, n, inside ? index / air : air / index);
   if (!direction) return {};  // only the reflected ray goes on
   if (world_.scene().rules.transmission_at_surfaces) {
     if (options_.least_contribution > 0) weight *= largest(material.transmissive);

@@ -121,3 +121,36 @@ TEST_CASE("the bounds of a cone hold its wider end and its height, up or down") 
   CHECK(Cone(-4, 2, -3, true).bounds().min == Vec3(-4, -4, -3));
   CHECK(Cone(-4, 2, -3, true).bounds().max == Vec3(4, 4, 0));
 }
+
+TEST_CASE("a cone without habits has normals at right angles to its side") {
+  const Cone cone(1, 2, 1, true, Cone::Habits::none);
+  const auto hit = meet(cone, {5, 0, 0.5}, {-1, 0, 0});
+  REQUIRE(hit);
+  CHECK(hit->t == about(3.5));
+  CHECK(hit->normal == near(std::sqrt(0.5), 0, -std::sqrt(0.5)));
+  CHECK(cone.facing(hit->normal) == hit->normal);
+}
+
+TEST_CASE("a cone without habits is met from inside, an open one with its normal turned to the ray") {
+  const auto closed = meet(Cone(1, 2, 1, true, Cone::Habits::none), {0, 0, 0.5}, {1, 0, 0});
+  REQUIRE(closed);
+  CHECK(closed->t == about(1.5));
+  CHECK(closed->normal == near(std::sqrt(0.5), 0, -std::sqrt(0.5)));
+  const auto open = meet(Cone(1, 2, 1, false, Cone::Habits::none), {0, 0, 0.5}, {1, 0, 0});
+  REQUIRE(open);
+  CHECK(open->normal == near(-std::sqrt(0.5), 0, std::sqrt(0.5)));
+  CHECK_FALSE(meet(open_funnel, {0, 0, 0.5}, {1, 0, 0}));  // a habit
+}
+
+TEST_CASE("the caps of a cone without habits face outward and are met by rays that meet nothing else") {
+  const Cone cone(1, 2, 1, true, Cone::Habits::none);
+  const auto top = meet(cone, {0, 0, 5}, {0, 0, -1});
+  REQUIRE(top);
+  CHECK(top->t == about(4));
+  CHECK(top->normal == Vec3(0, 0, 1));
+  const auto bottom = meet(cone, {0, 0, 0.5}, {0, 0, -1});
+  REQUIRE(bottom);
+  CHECK(bottom->t == about(0.5));
+  CHECK(bottom->normal == Vec3(0, 0, -1));
+  CHECK_FALSE(meet(Cone(1, 2, 1, false, Cone::Habits::none), {0, 0, 5}, {0, 0, -1}));
+}

@@ -78,3 +78,14 @@ TEST_CASE("a texture knows its size") {
   CHECK(small().width() == 3);
   CHECK(small().height() == 2);
 }
+
+TEST_CASE("texels that have width divide the unit square into as many steps as there are texels") {
+  Texture texture = grey(2, 2, {0, 100, 200, 240});
+  texture.give_texels_width();
+  CHECK(value(texture, 0, 0) == Approx(200));
+  CHECK(value(texture, 0.25, 0) == Approx(220));  // x = 1/2
+  CHECK(value(texture, 0.5, 0) == Approx(240));   // x = 1
+  CHECK(value(texture, 0.75, 0) == Approx(240));  // beyond the last texel
+  CHECK(value(texture, 1, 1) == Approx(100));
+  CHECK(value(texture, 0, 0.25) == Approx(100));  // y = 1/2
+}
