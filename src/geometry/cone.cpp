@@ -74,7 +74,10 @@ bool Cone::intersect(const Ray& ray, LocalHit& hit) const {
   const Vec3 &o = ray.origin, &d = ray.direction;
   const Vec3 from_apex(o.x, o.y, o.z + apex_offset_);
   Roots roots;
-  if (!side_roots(ray, from_apex, roots)) return false;
+  if (!side_roots(ray, from_apex, roots)) {
+    if (habits_ == Habits::course) return false;
+    roots = {-1, -1};  // behind the ray: through the apex it may meet the caps alone
+  }
 
   // A coordinate of a place on the ray is off by a few roundings of both its terms and of t. At the rim, side
   // and caps both count within that, so that no ray passes between them.
