@@ -127,6 +127,10 @@ ElementId Builder::end_primitive(Span span) {
       check_mesh(source_, mesh, primitive_keyword_, diagnostics_);
     }
   }
+  const auto* field = std::get_if<HeightField>(&primitive_.shape);
+  if (field && !field->height_map && !errors_since_begin()) {
+    diagnostics_.error(primitive_keyword_, "height_field has no 'height_map'");
+  }
   const ElementId element = open(std::move(primitive_), primitive_keyword_);
   scene_.elements[element].span = span;
   return element;
@@ -166,7 +170,7 @@ void Builder::begin_mesh(Span keyword) {
 
 ListStop Builder::read_list(Kind attribute, Span open) {
   if (auto* quadric = std::get_if<Quadric>(&primitive_.shape)) {
-    return read_tuples(3, source_, open.end, quadric->coefficients, diagnostics_);
+    return read_tuples(0, source_, open.end, quadric->coefficients, diagnostics_);
   }
   Mesh& mesh = scene_.meshes.back();
   const auto read = [&](auto& values, std::vector<ListSpan>& lists, const auto& reader) {

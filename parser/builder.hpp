@@ -18,9 +18,10 @@ enum class Attenuation : std::uint8_t { constant, linear, quadratic };
 
 class Builder {
  public:
-  Builder(const Source& source, Diagnostics& diagnostics, Dialect dialect)
+  Builder(const Source& source, Diagnostics& diagnostics, Dialect dialect, bool permissive)
       : source_(source), diagnostics_(diagnostics) {
     scene_.dialect = dialect;
+    scene_.permissive = permissive;
   }
 
   Scene take() { return std::move(scene_); }

@@ -248,7 +248,8 @@ struct Torus {
 struct Quadric {
   enum class Kind : std::uint8_t { general, paraboloid, hyperboloid, hyperbolic, hyperbolic_paraboloid };
   Kind kind{};
-  // Of a general one, as it is written: rows of three numbers, `points = (...)`.
+  // Of a general one, as they are written: `coefficients = (...)`, or rows of any length, `points = ((...),
+  // ...)`.
   std::vector<double> coefficients;
   std::optional<Span> coefficients_span;
   std::optional<Scalar> a, b, lower_bound, upper_bound;  // of a paraboloid
@@ -315,6 +316,7 @@ enum class Dialect : std::uint8_t { utexas, uw, hkust };
 struct Scene {
   double version = 0;
   Dialect dialect = Dialect::utexas;
+  bool permissive = false;  // files that cannot be read are left out, too
   std::vector<Item> items;
   std::vector<Element> elements;
   std::vector<Mesh> meshes;

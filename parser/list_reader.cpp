@@ -227,16 +227,19 @@ ListStop read_tuples(std::size_t count, const Source& source, std::uint32_t begi
   if (list.take(')')) return list.done();
   for (ListNeed need = ListNeed::first_entry;; need = ListNeed::entry) {
     if (count == 3 && list.plain_entries(numbers)) need = ListNeed::entry;
-    std::array<double, 3> tuple{};
     if (need == ListNeed::entry && list.take(')')) return list.done();
     if (!list.take('(')) return list.stop(need, false);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i > 0 && !list.take(',')) return list.stop(ListNeed::comma, true);
-      if (!list.number(tuple[i])) return list.stop(ListNeed::number, true);
+    for (std::size_t i = 0; count == 0 || i < count; ++i) {
+      if (i > 0 && !list.take(',')) {
+        if (count == 0) break;
+        return list.stop(ListNeed::comma, true);
+      }
+      double number = 0;
+      if (!list.number(number)) return list.stop(ListNeed::number, true);
+      list.make_room(numbers, 1);
+      numbers.push_back(number);
     }
-    if (!list.take(')')) return list.stop(ListNeed::close, true);
-    list.make_room(numbers, count);
-    numbers.insert(numbers.end(), tuple.begin(), tuple.begin() + static_cast<std::ptrdiff_t>(count));
+    if (!list.take(')')) return list.stop(count == 0 ? ListNeed::comma_or_close : ListNeed::close, true);
     if (list.take(',')) continue;
     if (list.take(')')) return list.done();
     return list.stop(ListNeed::comma_or_end, false);

@@ -37,7 +37,7 @@ struct ListStop {
 // Read on from `begin`, behind the list's '(', and append to `numbers` or `corners`. Malformed numbers and
 // wrong indices are reported and the reading goes on; anything else stops it, and the caller reports it. A
 // text of less than 4 GiB holds less than 2^31 numbers, so their count needs no check.
-// Entries of `count` numbers, two or three.
+// Entries of `count` numbers, two or three, or as many as each has where it is 0.
 ListStop read_tuples(std::size_t count, const Source& source, std::uint32_t begin,
                      std::vector<double>& numbers, Diagnostics& diagnostics);
 // Indices are whole numbers from 0 on; one too large for 32 bits becomes 2^32 - 1. `sizes` gets the corners

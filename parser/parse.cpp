@@ -6,7 +6,7 @@
 namespace trace::parser {
 
 Scene parse(const Source& source, Diagnostics& diagnostics, const ParseOptions& options) {
-  Builder builder(source, diagnostics, options.dialect);
+  Builder builder(source, diagnostics, options.dialect, options.permissive);
   TokenStream tokens(source, diagnostics, builder, options.permissive);
   bison::Grammar grammar(tokens, builder);
   grammar.parse();

@@ -17,8 +17,8 @@ std::string text(const std::optional<double>& number) {
 
 // Without what does not change the picture: threads, instruction set, ShadingOptions::model_everything.
 std::string text(const RenderOptions& o) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(o.dialect),
-                     o.width, o.depth, o.shading.shadows, o.shading.smooth_shading,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", name_of(o.dialect),
+                     o.permissive, o.width, o.depth, o.shading.shadows, o.shading.smooth_shading,
                      o.shading.backface_culling, o.shading.internal_reflection, o.shading.backface_specular,
                      o.shading.least_contribution, o.antialiasing.enabled, o.antialiasing.supersamples,
                      o.antialiasing.threshold, o.blocks.threshold, o.blocks.size, o.sampling.grid,

@@ -56,8 +56,7 @@ LoadedScene load_scene(const parser::Source& source, const LoadOptions& options,
   LoadedScene result;
   Stopwatch watch;
   parser::Diagnostics diagnostics;
-  parser::Scene description = parser::parse(source, diagnostics);
-  description.dialect = options.dialect;
+  parser::Scene description = parser::parse(source, diagnostics, {options.dialect, options.permissive});
   source.release_memory();  // only messages need it now
   result.times.parse = watch.lap();
   result.sizes = {source.text().size(), bytes_of(description)};

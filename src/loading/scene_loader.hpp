@@ -34,9 +34,12 @@ struct LoadedScene {
 struct LoadOptions {
   int width;
   parser::Dialect dialect = parser::Dialect::utexas;
+  // Unknown words and files that cannot be read are warned of and left out (parser/parse.hpp).
+  bool permissive = false;
 
   LoadOptions(int picture_width) : width(picture_width) {}
-  LoadOptions(const RenderOptions& options) : width(options.width), dialect(options.dialect) {}
+  LoadOptions(const RenderOptions& options)
+      : width(options.width), dialect(options.dialect), permissive(options.permissive) {}
 };
 
 // `width` is that of the picture, whose height the scene decides and which may be out of bounds.

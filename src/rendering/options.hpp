@@ -30,7 +30,9 @@ struct Sampling {
 };
 
 struct RenderOptions {
-  parser::Dialect dialect = parser::Dialect::utexas;  // of which the scene is, when it is loaded
+  // How the scene is read (loading/scene_loader.hpp).
+  parser::Dialect dialect = parser::Dialect::utexas;
+  bool permissive = false;
   int width = 512;
   int depth = 5;
   int threads = 0;  // 0: as many as the machine has

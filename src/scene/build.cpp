@@ -32,7 +32,7 @@ class SceneBuilder {
         diagnostics_(diagnostics),
         folder_(source.directory()),
         images_(images),
-        textures_(folder_, images, diagnostics),
+        textures_(folder_, images, diagnostics, description.permissive),
         resolver_(textures_, diagnostics, rules_of(description.dialect)),
         camera_(diagnostics, rules_of(description.dialect)) {
     scene_.rules = rules_of(description.dialect);

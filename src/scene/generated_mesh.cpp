@@ -14,6 +14,17 @@ void take(const std::optional<parser::Scalar>& said, double& value) {
   if (said) value = said->value;
 }
 
+// An error; with permissive reading a warning.
+void cannot_read(const std::string& what, const std::string& problem, parser::Span span, bool permissive,
+                 parser::Diagnostics& diagnostics) {
+  const std::string message = fmt::format("cannot read {}: {}", what, problem);
+  if (permissive) {
+    diagnostics.warning(span, message + ": this object is left out");
+  } else {
+    diagnostics.error(span, message);
+  }
+}
+
 }  // namespace
 
 Mesh generated_mesh(const parser::TorusKnot& said, parser::Diagnostics& diagnostics) {
@@ -40,8 +51,8 @@ Mesh generated_mesh(const parser::HeightField& said, TextureCache& textures,
   std::string problem;
   const std::optional<Texture> heights = textures.picture(said.height_map->value, problem);
   if (!heights) {
-    diagnostics.error(said.height_map->span,
-                      fmt::format("cannot read height map '{}': {}", said.height_map->value, problem));
+    cannot_read(fmt::format("height map '{}'", said.height_map->value), problem, said.height_map->span,
+                textures.permissive(), diagnostics);
     return {};
   }
   return make_height_field(*heights, said.generate_normals);
@@ -82,7 +93,7 @@ std::vector<ObjObject> objects_of(const parser::Name& file, bool generate_normal
       warnings.add(file.span, fmt::format("'{}': {}", file.value, problem));
     }
   } catch (const ObjError& e) {
-    diagnostics.error(file.span, fmt::format("cannot read '{}': {}", file.value, e.what()));
+    cannot_read(fmt::format("'{}'", file.value), e.what(), file.span, textures.permissive(), diagnostics);
   }
   return result;
 }

@@ -109,7 +109,7 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
     const bool number =
         assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
     const TextureId id = textures_.open(*map, assignment.value_span, number);
-    if (id == no_texture && map->bare) return;
+    if (id == no_texture) return;
     if (slot.map) {
       *slot.map = id;
       if (map->bare) result.on_any_surface = true;

@@ -9,7 +9,7 @@ TextureId TextureCache::open(const parser::MapFile& map, parser::Span span, bool
     std::string problem;
     const TextureId id = map.bare ? open(file, problem) : read(files_.find(file, or_working_folder), problem);
     if (id != no_texture) return id;
-    if (map.bare) {
+    if (map.bare || permissive_) {
       if (!warned_of_.insert(file).second) return no_texture;
       diagnostics_.warning(span,
                            fmt::format("cannot read texture '{}': {}: this map is left out", file, problem));

@@ -19,8 +19,13 @@ namespace trace {
 
 class TextureCache {
  public:
-  TextureCache(std::filesystem::path scene_folder, ImageSource& images, parser::Diagnostics& diagnostics)
-      : files_(std::move(scene_folder), images), images_(images), diagnostics_(diagnostics) {}
+  // `permissive`: what cannot be read is left out with a warning, however it is written.
+  TextureCache(std::filesystem::path scene_folder, ImageSource& images, parser::Diagnostics& diagnostics,
+               bool permissive = false)
+      : files_(std::move(scene_folder), images),
+        images_(images),
+        diagnostics_(diagnostics),
+        permissive_(permissive) {}
 
   // The picture of a map, or two laid over one another. It is looked for beside the scene; with
   // `or_working_folder` then in the working folder too, where the course's renderer looks for maps of
@@ -40,6 +45,7 @@ class TextureCache {
   const Texture& operator[](TextureId id) const { return textures_[static_cast<std::size_t>(id)]; }
 
   const SceneFiles& files() const { return files_; }
+  bool permissive() const { return permissive_; }
 
  private:
   TextureId read(const std::filesystem::path& path, std::string& problem);
@@ -47,6 +53,7 @@ class TextureCache {
   SceneFiles files_;
   ImageSource& images_;
   parser::Diagnostics& diagnostics_;
+  bool permissive_;
   std::vector<Texture> textures_;
   std::map<std::filesystem::path, TextureId> opened_;
   std::set<std::string> warned_of_;

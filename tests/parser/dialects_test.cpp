@@ -160,7 +160,7 @@ TEST_CASE("the primitives of dialects are read with every spelling of their size
   CHECK(plane.point->value[1] == 1);
   CHECK(plane.normal->value[2] == 1);
   CHECK_FALSE(std::get<Cylinder>(only_primitive("cylinder { capped=false; }").shape).capped->value);
-  const Quadric rows = std::get<Quadric>(only_primitive("quadric { points=((1,2,3),(4,5,6),); }").shape);
+  const Quadric rows = std::get<Quadric>(only_primitive("quadric { points=((1,2),(3,4,5),(6),); }").shape);
   CHECK(rows.coefficients == std::vector<double>{1, 2, 3, 4, 5, 6});
   const Quadric ten =
       std::get<Quadric>(only_primitive("quadric { coefficients=(1,0,0,1,0,0,1,0,0,-1); }").shape);
@@ -213,6 +213,10 @@ TEST_CASE("maps are read in each spelling, in a material and beside it") {
   CHECK(messages("material = { specular_model = phnog; }") ==
         "2:31: error: unknown specular model 'phnog': write phong or blinn-phong\n"
         "2:31: note: did you mean 'phong'?\n");
+}
+
+TEST_CASE("a height_field needs its height_map") {
+  CHECK(messages("height_field { color_map = \"c\"; }") == "2:1: error: height_field has no 'height_map'\n");
 }
 
 TEST_CASE("a mesh from a file has no lists of its own") {

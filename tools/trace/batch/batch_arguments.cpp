@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <thread>
 
-#include "tools/trace/dialect_option.hpp"
+#include "tools/trace/language_options.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/number_between.hpp"
 #include "tools/trace/shell_words.hpp"
@@ -53,7 +53,7 @@ void add_how(CLI::App& app, BatchArguments& a) {
       ->type_name("FILE");
   app.add_option("-c,--cubemap", a.cube_map, "One of six faces; the other five lie beside it")
       ->type_name("FACE");
-  add_dialect_option(app, a.options.dialect);
+  add_language_options(app, a.options);
   app.add_option("-t,--threads", a.workers, "Scenes at a time (default: one a processor)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");

@@ -99,6 +99,7 @@ class Planner {
     job.options.depth = *options.depth;
     job.options.width = *options.width;
     job.options.dialect = arguments_.options.dialect;
+    job.options.permissive = arguments_.options.permissive;
     for (const Settings& settings : options.settings) settings.apply(job.options);
     job.cube_map = options.cube_map.value_or("");
     job.limits = {std::chrono::duration<double>(*options.timeout),

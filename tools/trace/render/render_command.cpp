@@ -12,7 +12,7 @@
 #include "loading/settings_file.hpp"
 #include "parallel/parallel.hpp"
 #include "rendering/budget.hpp"
-#include "tools/trace/dialect_option.hpp"
+#include "tools/trace/language_options.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/number_between.hpp"
 #include "tools/trace/render/progress_line.hpp"
@@ -199,7 +199,7 @@ int render_command(int argc, const char* const* argv) {
       ->type_name("FILE");
   app.add_option("-c,--cubemap", arguments.cube_map, "One of six faces; the other five lie beside it")
       ->type_name("FACE");
-  add_dialect_option(app, options.dialect);
+  add_language_options(app, options);
   auto* threads = app.add_option("-t,--threads", options.threads, "Threads (default: one a processor)")
                       ->check(CLI::Range(1, 1024))
                       ->type_name("N");

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/trace/dialect_option.hpp"
+#include "tools/trace/language_options.hpp"
 #include "tools/trace/exit_status.hpp"
 #include "tools/trace/number_between.hpp"
 #include "tools/trace/shell_words.hpp"
@@ -46,7 +46,7 @@ void add_what(CLI::App& app, StudyArguments& a) {
       ->type_name("FILE");
   app.add_option("-c,--cubemap", a.cube_map, "One of six faces; the other five lie beside it")
       ->type_name("FACE");
-  add_dialect_option(app, a.options.dialect);
+  add_language_options(app, a.options);
   app.add_option("-t,--threads", a.options.threads, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");

@@ -1,4 +1,4 @@
-#include "tools/trace/dialect_option.hpp"
+#include "tools/trace/language_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,9 +7,9 @@
 
 namespace trace {
 
-void add_dialect_option(CLI::App& app, parser::Dialect& dialect) {
+void add_language_options(CLI::App& app, RenderOptions& options) {
   app.add_option_function<std::string>(
-         "--dialect", [&dialect](const std::string& name) { dialect = *dialect_named(name); },
+         "--dialect", [&options](const std::string& name) { options.dialect = *dialect_named(name); },
          "Whose rules the scene is drawn by where the courses differ: utexas, uw or hkust (default: utexas)")
       ->check(CLI::Validator(
           [](const std::string& name) {
@@ -19,6 +19,8 @@ void add_dialect_option(CLI::App& app, parser::Dialect& dialect) {
           },
           ""))
       ->type_name("NAME");
+  app.add_flag("--permissive", options.permissive,
+               "Pass over unknown blocks, attributes and files that cannot be read, with a warning each");
 }
 
 }  // namespace trace
