@@ -12,7 +12,7 @@ namespace trace {
 
 class CameraMaker {
  public:
-  CameraMaker(parser::Diagnostics& diagnostics, const DialectRules& rules)
+  explicit CameraMaker(parser::Diagnostics& diagnostics, const DialectRules& rules = {})
       : diagnostics_(diagnostics), rules_(rules) {}
 
   // Blocks in file order: what a later one gives replaces what earlier ones did.

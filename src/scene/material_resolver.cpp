@@ -112,7 +112,7 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
     if (id == no_texture) return;
     if (slot.map) {
       *slot.map = id;
-      if (map->bare) result.on_any_surface = true;
+      if (map->bare || !map->over.empty()) result.on_any_surface = true;
       return;
     }
     *slot.value = Rgb(0);

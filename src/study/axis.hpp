@@ -8,6 +8,7 @@ namespace trace {
 
 enum class Axis {
   samples,
+  patterns,
   adaptive,
   budget,
   course_adaptive,
@@ -25,11 +26,16 @@ struct AxisText {
   std::string_view text;
 };
 
-inline constexpr std::array<AxisText, 9> axis_texts{{
+inline constexpr std::array<AxisText, 10> axis_texts{{
     {Axis::samples, "samples", "Samples a pixel",
      "the same number of samples in every pixel: one at its corner, as the course draws, then n x n in the "
      "middles of equal "
      "parts"},
+    {Axis::patterns, "patterns", "Patterns of samples",
+     "nine points of every pixel, shared with its neighbours; the grid of 2 x 2 is among the samples a "
+     "pixel, "
+     "the "
+     "recursive pattern is the adaptive one"},
     {Axis::adaptive, "adaptive", "Adaptive samples",
      "one sample at each corner, then n x n where the corners differ, n by how much; the number is about the "
      "error in levels "

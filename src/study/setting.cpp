@@ -19,7 +19,10 @@ class Ladders {
                        fmt::format("{0} x {0} samples in each pixel", n), fmt::format("--aa {}", n));
       setting.options.sampling.grid = n;
     }
-    add("nine points", Axis::samples, "corners, middles of edges and centre of each pixel", "--nine-points")
+  }
+
+  void patterns() {
+    add("nine points", Axis::patterns, "corners, middles of edges and centre of each pixel", "--nine-points")
         .options.sampling.nine_points = true;
   }
 
@@ -126,6 +129,7 @@ std::vector<Setting> ladders(const LadderScene& scene, const std::vector<Axis>& 
   const auto wanted = [&](Axis axis) { return std::find(axes.begin(), axes.end(), axis) != axes.end(); };
   Ladders result(scene);
   result.samples();
+  if (wanted(Axis::patterns)) result.patterns();
   if (wanted(Axis::adaptive)) result.adaptive();
   if (wanted(Axis::budget)) result.budget();
   if (wanted(Axis::course_adaptive)) result.course_adaptive();

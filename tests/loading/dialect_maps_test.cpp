@@ -1,6 +1,7 @@
 // Maps, OBJ files and generated meshes from a scene's text to its picture.
 #include "loading/scene_loader.hpp"
 #include "precision/arithmetic.hpp"
+#include "scene/beyond_course.hpp"
 #include "tests/image/picture_files.hpp"
 #include "tests/support/numbers_near.hpp"
 #include "tests/support/scene_trace.hpp"

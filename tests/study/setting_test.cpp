@@ -84,6 +84,7 @@ TEST_CASE("every setting renders the scene as it is but for what its axis varies
     CHECK(own.width == 64);
     CHECK((own.depth == 5 || setting.axis == Axis::depth || setting.axis == Axis::needs));
     CHECK((own.sampling.grid == 1 || setting.axis == Axis::samples));
+    CHECK((!own.sampling.nine_points || setting.axis == Axis::patterns));
     CHECK((own.sampling.threshold == 0 || setting.axis == Axis::adaptive));
     CHECK((!own.antialiasing.enabled || setting.axis == Axis::course_adaptive));
     CHECK((own.shading.least_contribution == 0 || setting.axis == Axis::contribution));
