@@ -24,6 +24,9 @@ Words attributes(Kind kind, std::initializer_list<std::string_view> usual,
   return result;
 }
 
+// Of the blocks.
+namespace added {
+
 const Words camera{{"look_at", T::LOOK_AT},
                    {"projection", T::PROJECTION},
                    {"quaternion", T::QUATERNIAN, false},
@@ -121,36 +124,38 @@ const Words scene = group + Words{{"spot_light", T::SPOT_LIGHT},
                                   {"skybox", T::SKYBOX}};
 const Words nothing;
 
+}  // namespace added
+
 }  // namespace
 
 const std::vector<DialectWord>& dialect_words(Kind block) {
   switch (block) {
     case T::CAMERA:
-      return camera;
+      return added::camera;
     case T::POINT_LIGHT:
-      return point_light;
+      return added::point_light;
     case T::SPOT_LIGHT:
-      return spot_light;
+      return added::spot_light;
     case T::AREA_LIGHT:
-      return area_light;
+      return added::area_light;
     case T::AREA_LIGHT_RECT:
-      return area_light_rect;
+      return added::area_light_rect;
     case T::AREA_LIGHT_CIRC:
-      return area_light_circ;
+      return added::area_light_circ;
     case T::SHAPE_LIGHT:
-      return shape_light;
+      return added::shape_light;
     case T::WARN_LIGHT:
-      return warn_light;
+      return added::warn_light;
     case T::WARN_MODEL_LIGHT:
-      return warn_model_light;
+      return added::warn_model_light;
     case T::FOG:
-      return fog;
+      return added::fog;
     case T::CUBEMAP:
-      return cubemap;
+      return added::cubemap;
     case T::SKYBOX:
-      return skybox;
+      return added::skybox;
     case T::MATERIAL:
-      return material;
+      return added::material;
     case T::SPHERE:
     case T::BOX:
     case T::SQUARE:
@@ -158,33 +163,33 @@ const std::vector<DialectWord>& dialect_words(Kind block) {
     case T::CONE:
     case T::HYPERBOLIC:
     case T::HYPERBOLIC_PARABOLOID:
-      return shape;
+      return added::shape;
     case T::PLANE:
-      return plane;
+      return added::plane;
     case T::TORUS:
-      return torus;
+      return added::torus;
     case T::QUADRIC:
-      return quadric;
+      return added::quadric;
     case T::PARABOLOID:
-      return paraboloid;
+      return added::paraboloid;
     case T::HYPERBOLOID:
-      return hyperboloid;
+      return added::hyperboloid;
     case T::TORUS_KNOT:
-      return torus_knot;
+      return added::torus_knot;
     case T::HEIGHT_FIELD:
-      return height_field;
+      return added::height_field;
     case T::MESH:
-      return mesh;
+      return added::mesh;
     case T::MARBLE:
-      return marble;
+      return added::marble;
     case T::PERLIN_NOISE:
-      return perlin_noise;
+      return added::perlin_noise;
     case T::OPEN_BRACE:
-      return group;
+      return added::group;
     case T::END:
-      return scene;
+      return added::scene;
     default:
-      return nothing;
+      return added::nothing;
   }
 }
 

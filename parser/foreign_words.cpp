@@ -7,7 +7,7 @@ namespace trace::parser {
 
 namespace {
 
-struct Entry {
+struct ForeignWord {
   std::string_view word, what;
 };
 
@@ -21,45 +21,46 @@ constexpr std::string_view motion = "is an extension of an HKUST project (motion
 constexpr std::string_view json = "belongs to the JSON scenes of newer UT Austin projects";
 
 // In alphabetical order: it is searched by halving.
-constexpr std::array words{
-    Entry{"CSG", solids},
-    Entry{"albedo", paths},
-    Entry{"csg", solids},
-    Entry{"emission", paths},
-    Entry{"emitter", particles},
-    Entry{"enable_motion_blur", motion},
-    Entry{"fluid", fluids},
-    Entry{"intersection", solids},
-    Entry{"light", paths},
-    Entry{"metaball", blobs},
-    Entry{"metaballs", blobs},
-    Entry{"metallic", paths},
-    Entry{"meteorite", particles},
-    Entry{"moving_sphere", motion},
-    Entry{"obj_mesh", json},
-    Entry{"particle", particles},
-    Entry{"particle_emitter", particles},
-    Entry{"particles", particles},
-    Entry{"portal", json},
-    Entry{"roughness", paths},
-    Entry{"sphere_light", paths},
-    Entry{"subtract", solids},
-    Entry{"subtraction", solids},
-    Entry{"time0", motion},
-    Entry{"time1", motion},
-    Entry{"translucency", paths},
-    Entry{"type", paths},
-    Entry{"union", solids},
+constexpr std::array foreign_words{
+    ForeignWord{"CSG", solids},
+    ForeignWord{"albedo", paths},
+    ForeignWord{"csg", solids},
+    ForeignWord{"emission", paths},
+    ForeignWord{"emitter", particles},
+    ForeignWord{"enable_motion_blur", motion},
+    ForeignWord{"fluid", fluids},
+    ForeignWord{"intersection", solids},
+    ForeignWord{"light", paths},
+    ForeignWord{"metaball", blobs},
+    ForeignWord{"metaballs", blobs},
+    ForeignWord{"metallic", paths},
+    ForeignWord{"meteorite", particles},
+    ForeignWord{"moving_sphere", motion},
+    ForeignWord{"obj_mesh", json},
+    ForeignWord{"particle", particles},
+    ForeignWord{"particle_emitter", particles},
+    ForeignWord{"particles", particles},
+    ForeignWord{"portal", json},
+    ForeignWord{"roughness", paths},
+    ForeignWord{"sphere_light", paths},
+    ForeignWord{"subtract", solids},
+    ForeignWord{"subtraction", solids},
+    ForeignWord{"time0", motion},
+    ForeignWord{"time1", motion},
+    ForeignWord{"translucency", paths},
+    ForeignWord{"type", paths},
+    ForeignWord{"union", solids},
 };
-static_assert(std::is_sorted(words.begin(), words.end(),
-                             [](const Entry& a, const Entry& b) { return a.word < b.word; }));
+static_assert(std::is_sorted(foreign_words.begin(), foreign_words.end(),
+                             [](const ForeignWord& a, const ForeignWord& b) { return a.word < b.word; }));
 
 }  // namespace
 
 std::string_view foreign_word(std::string_view word) {
-  const auto found = std::lower_bound(words.begin(), words.end(), word,
-                                      [](const Entry& entry, std::string_view w) { return entry.word < w; });
-  return found == words.end() || found->word != word ? std::string_view() : found->what;
+  const auto found =
+      std::lower_bound(foreign_words.begin(), foreign_words.end(), word,
+                       [](const ForeignWord& entry, std::string_view w) { return entry.word < w; });
+  return found == foreign_words.end() || found->word != word ? std::string_view() : found->what;
 }
 
 }  // namespace trace::parser

@@ -129,7 +129,7 @@ struct BoxOfAxis {
   }
 };
 
-struct Plane {
+struct SplitPlane {
   float cost = std::numeric_limits<float>::infinity();
   int axis = -1;
   int bin = 0;  // the first of the right half
@@ -137,7 +137,7 @@ struct Plane {
 
 // All axes at once. Half a surface of an empty half is infinite, so its cost, times no items, is NaN, which
 // is never the least.
-Plane best_plane(const Bins& bins, int count) {
+SplitPlane best_plane(const Bins& bins, int count) {
   BoxOfAxis boxes[most_bins];
   __m128 right_cost[most_bins];
   BoxOfAxis box;
@@ -166,7 +166,7 @@ Plane best_plane(const Bins& bins, int count) {
   alignas(16) float costs[4], places[4];
   _mm_store_ps(costs, least);
   _mm_store_ps(places, at);
-  Plane best;
+  SplitPlane best;
   for (int axis = 0; axis < 3; ++axis) {
     if (costs[axis] < best.cost) best = {costs[axis], axis, static_cast<int>(places[axis])};
   }
@@ -176,7 +176,7 @@ Plane best_plane(const Bins& bins, int count) {
 // Which references belong to the left half.
 class Side {
  public:
-  Side(const Plane& plane, const BinScale& scale)
+  Side(const SplitPlane& plane, const BinScale& scale)
       : scale_(scale), border_(_mm_set1_ps(static_cast<float>(plane.bin))) {}
 
   // In all lanes.
@@ -244,7 +244,7 @@ std::size_t partition_side_by_side(std::span<BoxReference> references, const Sid
 }
 
 void partition(std::span<BoxReference> references, const BvhRange& range, const Bins& bins,
-               const Plane& plane, const BinScale& scale, ThreadBudget& threads, BvhHalves& halves) {
+               const SplitPlane& plane, const BinScale& scale, ThreadBudget& threads, BvhHalves& halves) {
   const auto of_range = references.subspan(range.first, range.size());
   const Side side(plane, scale);
   HalfCentres centres;
@@ -304,7 +304,7 @@ bool split(std::span<BoxReference> references, const BvhRange& range, const Leaf
   }
   const BinScale scale(range);
   const Bins bins = bins_of(references.subspan(range.first, count), scale, threads);
-  const Plane plane = best_plane(bins, scale.bins);
+  const SplitPlane plane = best_plane(bins, scale.bins);
   if (count <= leaves.most) {
     const float area = range.box.half_area();
     const float split_cost = area > 0 ? leaves.box + plane.cost / area : leaves.box;

@@ -8,7 +8,6 @@ namespace trace {
 
 enum class Axis {
   samples,
-  patterns,
   adaptive,
   budget,
   course_adaptive,
@@ -16,7 +15,8 @@ enum class Axis {
   contribution,
   resolution,
   arithmetic,
-  needs
+  needs,
+  patterns
 };
 
 struct AxisText {
@@ -31,11 +31,6 @@ inline constexpr std::array<AxisText, 10> axis_texts{{
      "the same number of samples in every pixel: one at its corner, as the course draws, then n x n in the "
      "middles of equal "
      "parts"},
-    {Axis::patterns, "patterns", "Patterns of samples",
-     "nine points of every pixel, shared with its neighbours; the grid of 2 x 2 is among the samples a "
-     "pixel, "
-     "the "
-     "recursive pattern is the adaptive one"},
     {Axis::adaptive, "adaptive", "Adaptive samples",
      "one sample at each corner, then n x n where the corners differ, n by how much; the number is about the "
      "error in levels "
@@ -55,6 +50,11 @@ inline constexpr std::array<AxisText, 10> axis_texts{{
      "sample a pixel"},
     {Axis::needs, "needs", "Only what is needed",
      "everything modelled, needed or not, against only what the scene needs; the picture is the same"},
+    {Axis::patterns, "patterns", "Patterns of samples",
+     "nine points of every pixel, shared with its neighbours; the grid of 2 x 2 is among the samples a "
+     "pixel, "
+     "the "
+     "recursive pattern is the adaptive one"},
 }};
 
 inline const AxisText& text_of(Axis axis) {

@@ -129,7 +129,6 @@ std::vector<Setting> ladders(const LadderScene& scene, const std::vector<Axis>& 
   const auto wanted = [&](Axis axis) { return std::find(axes.begin(), axes.end(), axis) != axes.end(); };
   Ladders result(scene);
   result.samples();
-  if (wanted(Axis::patterns)) result.patterns();
   if (wanted(Axis::adaptive)) result.adaptive();
   if (wanted(Axis::budget)) result.budget();
   if (wanted(Axis::course_adaptive)) result.course_adaptive();
@@ -138,6 +137,7 @@ std::vector<Setting> ladders(const LadderScene& scene, const std::vector<Axis>& 
   if (wanted(Axis::resolution)) result.resolution();
   if (wanted(Axis::arithmetic)) result.arithmetic();
   if (wanted(Axis::needs)) result.needs();
+  if (wanted(Axis::patterns)) result.patterns();
   return result.take();
 }
 
