@@ -31,7 +31,7 @@ Built mapped_mesh(const BlackAndWhite& folder, std::vector<double> coordinates) 
 
 // At a place of the triangle (-1,-1,0) (1,-1,0) (0,1,0).
 Rgb at_place(const Built& built, double x, double y) {
-  return seen(built.scene, ray({x, y, 5}, {0, 0, -1}));
+  return trace::test::seen(built.scene, ray({x, y, 5}, {0, 0, -1}));
 }
 
 }  // namespace

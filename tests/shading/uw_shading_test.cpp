@@ -19,7 +19,7 @@ Scene utexas_scene() {
   return {};
 }
 
-const Rgb glass(0.5, 0.25, 0.75);
+const Rgb clear_glass(0.5, 0.25, 0.75);
 
 // A square with a highlight seen at right angles, lit at 60 degrees.
 Scene shining(Scene scene) {
@@ -29,21 +29,21 @@ Scene shining(Scene scene) {
 }
 
 Rgb light_left(Scene scene, const Shape& shape, const Mat4& place) {
-  add(scene, shape, place, transmissive(glass));
+  add(scene, shape, place, transmissive(clear_glass));
   const SceneTree tree(scene);
   RayCounts counts;
   return shadow_attenuation(scene, tree, {}, {Vec3(0), Vec3(0, 0, 1)}, infinity, counts).value;
 }
 
 Rgb through_glass(Scene scene, const Shape& shape, int depth) {
-  add(scene, shape, at_origin(), transmissive(glass));
+  add(scene, shape, at_origin(), transmissive(clear_glass));
   surround(scene, {255, 255, 255});
   return seen(scene, depth);
 }
 
 // From the middle of a glowing box of glass that mirrors, to its wall and back to the other.
 Rgb seen_inside(Scene scene) {
-  add(scene, Box{}, at_origin(), emissive(Rgb(0.5)) + transmissive(glass) + reflective(Rgb(0.25)));
+  add(scene, Box{}, at_origin(), emissive(Rgb(0.5)) + transmissive(clear_glass) + reflective(Rgb(0.25)));
   return seen(scene, {Vec3(0), Vec3(0, 0, -1)}, 1);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("meshes are seen and lit from behind in uw, and not at all in utexas")
 
 TEST_CASE("light behind a surface that transmits adds nothing in uw, and as from before it in utexas") {
   const auto lit = [](Scene scene) {
-    add(scene, Square{}, at_origin(), diffuse(Rgb(0.5)) + transmissive(glass));
+    add(scene, Square{}, at_origin(), diffuse(Rgb(0.5)) + transmissive(clear_glass));
     scene.lights.emplace_back(directional({0, 0, 1}));
     return seen(scene);
   };
@@ -87,23 +87,23 @@ TEST_CASE("a highlight with shininess 0 is on the lit side alone in uw") {
 
 TEST_CASE("shadows lose kt at each surface in uw, and by the way inside in utexas") {
   const Mat4 thick = moved(0, 0, 4) * scaled(1, 1, 3);
-  CHECK(light_left(uw_scene(), Box{}, thick) == near(glass * glass));
-  CHECK(light_left(utexas_scene(), Box{}, thick) == near(glass * glass * glass));
-  CHECK(light_left(uw_scene(), Square{}, thick) == near(glass));
+  CHECK(light_left(uw_scene(), Box{}, thick) == near(clear_glass * clear_glass));
+  CHECK(light_left(utexas_scene(), Box{}, thick) == near(clear_glass * clear_glass * clear_glass));
+  CHECK(light_left(uw_scene(), Square{}, thick) == near(clear_glass));
   CHECK(light_left(utexas_scene(), Square{}, thick) == Rgb(1));
 }
 
 TEST_CASE("what is seen through a surface is multiplied by kt in uw, once into a body and once out of it") {
-  CHECK(through_glass(uw_scene(), Square{}, 1) == near(glass));
-  CHECK(through_glass(uw_scene(), Box{}, 2) == near(glass * glass));
+  CHECK(through_glass(uw_scene(), Square{}, 1) == near(clear_glass));
+  CHECK(through_glass(uw_scene(), Box{}, 2) == near(clear_glass * clear_glass));
   // In utexas a miss divides by kt, and the way through a box of edge one multiplies by it.
-  CHECK(through_glass(utexas_scene(), Square{}, 1) == near(1.0 / glass));
-  CHECK(through_glass(utexas_scene(), Box{}, 2) == near(glass));
+  CHECK(through_glass(utexas_scene(), Square{}, 1) == near(1.0 / clear_glass));
+  CHECK(through_glass(utexas_scene(), Box{}, 2) == near(clear_glass));
 }
 
 TEST_CASE("what is mirrored inside glass loses nothing on its way in uw, and by its length in utexas") {
   CHECK(seen_inside(uw_scene()) == near(Vec3(0.5 + 0.25 * 0.5)));
-  CHECK(seen_inside(utexas_scene()) == near(0.5 + 0.25 * 0.5 * glass));
+  CHECK(seen_inside(utexas_scene()) == near(0.5 + 0.25 * 0.5 * clear_glass));
 }
 
 TEST_CASE("in uw a least contribution ends paths behind surfaces whose kt is small") {
