@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "parser/builder.hpp"
+#include "parser/dialect_words.hpp"
 #include "parser/printable.hpp"
 
 namespace trace::parser {
@@ -131,7 +132,8 @@ void Builder::end_point_light(Span span) {
 void Builder::begin_dialect_light(DialectLight::Kind kind, Span keyword) {
   dialect_light_ = {};
   dialect_light_.kind = kind;
-  dialect_light_.word = source_.text().substr(keyword.begin, keyword.end - keyword.begin);
+  dialect_light_.word =
+      find_dialect_word(T::END, source_.text().substr(keyword.begin, keyword.end - keyword.begin))->word;
   dialect_light_.keyword = keyword;
   light_.word = dialect_light_.word;
 }

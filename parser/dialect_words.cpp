@@ -193,12 +193,16 @@ const std::vector<DialectWord>& dialect_words(Kind block) {
   }
 }
 
-std::optional<Kind> dialect_word(Kind block, std::string_view word) {
+const DialectWord* find_dialect_word(Kind block, std::string_view word) {
   const std::vector<DialectWord>& words = dialect_words(block);
   const auto found =
       std::find_if(words.begin(), words.end(), [word](const DialectWord& w) { return w.word == word; });
-  if (found == words.end()) return std::nullopt;
-  return found->kind;
+  return found == words.end() ? nullptr : &*found;
+}
+
+std::optional<Kind> dialect_word(Kind block, std::string_view word) {
+  const DialectWord* const found = find_dialect_word(block, word);
+  return found == nullptr ? std::nullopt : std::optional(found->kind);
 }
 
 }  // namespace trace::parser

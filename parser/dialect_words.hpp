@@ -20,7 +20,9 @@ struct DialectWord {
 // Of a block, named as in vocabulary.hpp.
 const std::vector<DialectWord>& dialect_words(Kind block);
 
-// What this word begins in such a block.
+// The entry of a word in such a block; null where it is none there.
+const DialectWord* find_dialect_word(Kind block, std::string_view word);
+// What it begins there.
 std::optional<Kind> dialect_word(Kind block, std::string_view word);
 
 }  // namespace trace::parser

@@ -137,10 +137,14 @@ bison::Grammar::symbol_type TokenStream::symbol(const Token& token) const {
     case T::NUMBER:
       return Symbol(token.kind, token.number, token.span);
     case T::WORD:
+      return Symbol(token.kind, text, token.span);
     case T::LIGHT_ATTRIBUTE:
     case T::FACE:
-    case T::WITHOUT_EFFECT:
-      return Symbol(token.kind, text, token.span);
+    case T::WITHOUT_EFFECT: {
+      // The table's word, which outlives the text.
+      const DialectWord* const word = find_dialect_word(frames_.top().owner, text);
+      return Symbol(token.kind, word == nullptr ? std::string_view() : word->word, token.span);
+    }
     case T::STRING: {
       const bool closed = text.size() > 1 && text.back() == '"';
       return Symbol(token.kind, text.substr(1, text.size() - (closed ? 2 : 1)), token.span);

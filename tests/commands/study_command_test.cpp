@@ -145,7 +145,7 @@ TEST_CASE("a study that cannot be understood is status 2 and says why") {
        {"--seconds -1 scenes/a.ray", "--seconds: '-1' is not a number from 0 to 1000000"},
        {"--axes colour scenes/a.ray",
         "--axes: colour not in "
-        "{samples,adaptive,budget,course,depth,contribution,resolution,arithmetic,needs}"},
+        "{samples,adaptive,budget,course,depth,contribution,resolution,arithmetic,needs,patterns}"},
        {"--report - scenes/a.ray", "--report needs a file, not standard output"},
        {"--fast scenes/a.ray", "The following argument was not expected: --fast"}}));
   INFO(arguments);
