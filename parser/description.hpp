@@ -9,15 +9,30 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "parser/source.hpp"
 
 namespace trace::parser {
+
+// A value that is held apart, so that what may have one stays small: there may be a hundred thousand
+// materials. Copies share it.
+template <class T>
+class Apart {
+ public:
+  Apart(T value) : value_(std::make_shared<const T>(std::move(value))) {}
+  const T& operator*() const { return *value_; }
+  const T* operator->() const { return value_.get(); }
+
+ private:
+  std::shared_ptr<const T> value_;
+};
 
 template <class T>
 struct Located {
@@ -72,7 +87,7 @@ struct SolidTexture {
 // for specular_model, or the file of a map; colours may be solid textures.
 struct MaterialAssignment {
   Parameter parameter{};
-  std::variant<double, std::array<double, 3>, MapFile, SolidTexture, std::string> value;
+  std::variant<double, std::array<double, 3>, Apart<MapFile>, Apart<SolidTexture>, std::string> value;
   Span span;        // the whole assignment
   Span value_span;  // its right-hand side
 };

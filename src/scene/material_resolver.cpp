@@ -105,14 +105,14 @@ MappedMaterial MaterialResolver::with(const MappedMaterial& material,
 void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssignment& assignment) {
   if (assign_extra(result, assignment) || assign_surface_map(result, assignment)) return;
   const ColorSlot slot = color_slot(result, assignment.parameter);
-  if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
+  if (const auto* map = std::get_if<parser::Apart<parser::MapFile>>(&assignment.value)) {
     const bool number =
         assignment.parameter == Parameter::index || assignment.parameter == Parameter::shininess;
-    const TextureId id = textures_.open(*map, assignment.value_span, number);
+    const TextureId id = textures_.open(**map, assignment.value_span, number);
     if (id == no_texture) return;
     if (slot.map) {
       *slot.map = id;
-      if (map->bare || !map->over.empty()) result.on_any_surface = true;
+      if ((*map)->bare || !(*map)->over.empty()) result.on_any_surface = true;
       return;
     }
     *slot.value = Rgb(0);
@@ -122,8 +122,8 @@ void MaterialResolver::assign(MappedMaterial& result, const parser::MaterialAssi
                     assignment.parameter == Parameter::reflective ? "without reflection" : "opaque"));
     return;
   }
-  if (const auto* solid = std::get_if<parser::SolidTexture>(&assignment.value)) {
-    if (slot.map) *slot.map = textures_.add(Texture(pattern_of(*solid)));
+  if (const auto* solid = std::get_if<parser::Apart<parser::SolidTexture>>(&assignment.value)) {
+    if (slot.map) *slot.map = textures_.add(Texture(pattern_of(**solid)));
     return;
   }
   if (slot.map) *slot.map = no_texture;
@@ -143,8 +143,8 @@ bool MaterialResolver::assign_surface_map(MappedMaterial& result,
   if (!slot && assignment.parameter != Parameter::anisotropy) return false;
   if (!slot) {
     diagnostics_.warning(assignment.span, "a map of anisotropic highlights has no effect: they stay round");
-  } else if (const auto* map = std::get_if<parser::MapFile>(&assignment.value)) {
-    const TextureId id = textures_.open(*map, assignment.value_span, false);
+  } else if (const auto* map = std::get_if<parser::Apart<parser::MapFile>>(&assignment.value)) {
+    const TextureId id = textures_.open(**map, assignment.value_span, false);
     if (id != no_texture) *slot = id;
   }
   return true;

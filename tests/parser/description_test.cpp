@@ -72,7 +72,7 @@ TEST_CASE("a material keeps its assignments in file order, with their places") {
   const MaterialBlock& material = block(item<Material>(scene, 0));
   REQUIRE(material.assignments.size() == 4);
   CHECK(std::get<double>(material.assignments[0].value) == 2);
-  CHECK(std::get<MapFile>(material.assignments[1].value).file == "a b.png");
+  CHECK(std::get<Apart<MapFile>>(material.assignments[1].value)->file == "a b.png");
   CHECK(material.assignments[1].parameter == Parameter::diffuse);
   CHECK(std::get<Triple>(material.assignments[2].value) == Triple{1, 0, 0});
   CHECK(material.assignments[3].parameter == Parameter::index);

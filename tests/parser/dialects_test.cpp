@@ -188,26 +188,26 @@ TEST_CASE("maps are read in each spelling, in a material and beside it") {
       "turbulence_depth = 7; } }");
   const auto& set = std::get<MaterialBlock>(box.materials.at(0).value).assignments;
   REQUIRE(set.size() == 6);
-  CHECK(std::get<MapFile>(set[0].value).bare);
+  CHECK(std::get<Apart<MapFile>>(set[0].value)->bare);
   CHECK(set[1].parameter == Parameter::bump);
-  CHECK_FALSE(std::get<MapFile>(set[1].value).bare);
+  CHECK_FALSE(std::get<Apart<MapFile>>(set[1].value)->bare);
   CHECK(set[2].parameter == Parameter::normal);
-  CHECK(std::get<MapFile>(set[3].value).over == "clouds.png");
-  CHECK(std::get<MapFile>(set[3].value).threshold == 0.4);
+  CHECK(std::get<Apart<MapFile>>(set[3].value)->over == "clouds.png");
+  CHECK(std::get<Apart<MapFile>>(set[3].value)->threshold == 0.4);
   CHECK(set[4].parameter == Parameter::absorb);
   CHECK(std::get<std::string>(set[5].value) == "blinn-phong");
   REQUIRE(box.maps.size() == 3);
   CHECK(box.maps[0].parameter == Parameter::diffuse);
-  CHECK(std::get<MapFile>(box.maps[0].value).file == ".\\\\x\\\\d.bmp");
-  const auto& noise = std::get<SolidTexture>(box.maps[2].value);
+  CHECK(std::get<Apart<MapFile>>(box.maps[0].value)->file == ".\\\\x\\\\d.bmp");
+  const SolidTexture& noise = *std::get<Apart<SolidTexture>>(box.maps[2].value);
   CHECK(noise.kind == SolidTexture::Kind::perlin_noise);
   CHECK(noise.depth->value == 7);
   CHECK(noise.scale->value[2] == 4);
   const Primitive ball = only_primitive(
       "sphere { material = { diffuse = marble { color = (1,0,0); scale = (1,2,3); depth = 4; lightness = .5 "
       "} } }");
-  const auto& marble =
-      std::get<SolidTexture>(std::get<MaterialBlock>(ball.materials.at(0).value).assignments.at(0).value);
+  const SolidTexture& marble = *std::get<Apart<SolidTexture>>(
+      std::get<MaterialBlock>(ball.materials.at(0).value).assignments.at(0).value);
   CHECK(marble.kind == SolidTexture::Kind::marble);
   CHECK(marble.scale->value[1] == 2);
   CHECK(messages("material = { specular_model = phnog; }") ==

@@ -167,7 +167,7 @@ TEST_CASE(
   write_image(folder / "map.png", Image{2, 1, {51, 102, 204, 255, 255, 255}});
   const auto keeps_map = [&](PrimitiveShape shape, bool bare, parser::Dialect dialect) {
     parser::MaterialAssignment map = is_map(Parameter::diffuse, "map.png");
-    std::get<parser::MapFile>(map.value).bare = bare;
+    map.value = parser::MapFile{"map.png", bare};
     Describe d;
     d.scene.dialect = dialect;
     d.top(primitive(std::move(shape), {block({map})}));
