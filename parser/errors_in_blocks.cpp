@@ -107,7 +107,7 @@ bool explain_attribute(const Situation& at) {
     return true;
   } else if (at.found_word()) {
     Diagnostic& error = at.unknown("attribute", " in " + block, frame.owner);
-    if (!at.tokens.permissive() && at.tokens.first_note(frame.owner))
+    if (at.lists_words() && at.tokens.first_note(frame.owner))
       error.notes.push_back({at.found.span, takes_text(at.source, frame)});
   } else if (at.found.kind == T::COMMA && at.last.kind == T::NUMBER && frame.statement != T::END) {
     at.error(fmt::format("'{}' takes one number", text_of(at.source, frame.statement_span)));
@@ -142,7 +142,9 @@ bool explain_transform(const Situation& at) {
   }
   if (explain_misplaced(at, fmt::format("{} {}", word.front() == 'a' ? "an" : "a", word))) return true;
   if (at.found.kind == T::WORD) {
-    at.unknown("object", "", T::OPEN_BRACE);
+    Diagnostic& error = at.unknown("object", "", T::OPEN_BRACE);
+    if (at.lists_words() && at.tokens.first_note(T::OPEN_BRACE))
+      error.notes.push_back({at.found.span, objects_text()});
   } else {
     at.error_found(fmt::format("{}: expected {}", takes,
                                at.expects(T::NUMBER) ? "a number or the object" : "the object"));
@@ -158,7 +160,10 @@ bool explain_object(const Situation& at) {
   if (at.found_word() && group && explain_misplaced(at, "a group")) {
     return true;
   } else if (at.found.kind == T::WORD) {
-    at.unknown("word", at.tokens.permissive() ? "" : ": expected " + choice, at.frame.owner);
+    Diagnostic& error =
+        at.unknown("word", at.tokens.permissive() ? "" : ": expected " + choice, at.frame.owner);
+    if (at.lists_words() && at.tokens.first_note(at.frame.owner))
+      error.notes.push_back({at.found.span, takes_text(at.source, at.frame)});
   } else if (at.found_word()) {
     at.error(fmt::format("'{}' cannot stand {}: expected {}", at.text(at.found),
                          group ? "in a group" : "at the top level of the scene", choice));

@@ -35,6 +35,9 @@ struct Situation {
   Diagnostic& error_found(const std::string& message) const;  // the same with ", found 'x'"
   void suggest(Diagnostic& diagnostic, Kind block) const;     // a statement of the block that looks alike
   Note opened_here(const Frame& opened) const;
+  // Whether the error of an unknown word goes with what is known there: not where it is passed over, nor
+  // where the word is known to be another language's.
+  bool lists_words() const;
   // A word that nothing here begins with: `what` as in "attribute", `where` as in " in a sphere".
   Diagnostic& unknown(std::string_view what, const std::string& where, Kind block) const;
 };

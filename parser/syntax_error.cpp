@@ -33,6 +33,10 @@ void Situation::suggest(Diagnostic& diagnostic, Kind block) const {
   if (found_word()) diagnostic.suggestion = closest(text(found), statement_words(block));
 }
 
+bool Situation::lists_words() const {
+  return !tokens.permissive() && foreign_word(text(found)).empty();
+}
+
 Diagnostic& Situation::unknown(std::string_view what, const std::string& where, Kind block) const {
   const std::string word = in_quotes(text(found));
   const std::string_view foreign = foreign_word(text(found));

@@ -76,9 +76,17 @@ std::string expected_text(const std::vector<Kind>& kinds) {
 }
 
 std::string takes_text(const Source& source, const Frame& frame) {
+  const std::vector<std::string_view> words = usual_words(frame.owner);
+  return fmt::format("{} takes {}", block_text(source, frame),
+                     enumeration({words.begin(), words.end()}, "and"));
+}
+
+std::string objects_text() {
   std::vector<std::string> words;
-  for (const std::string_view word : usual_words(frame.owner)) words.emplace_back(word);
-  return fmt::format("{} takes {}", block_text(source, frame), enumeration(words, "and"));
+  for (const std::string_view word : usual_words(T::OPEN_BRACE)) {
+    if (word != spelling(T::MATERIAL)) words.emplace_back(word);
+  }
+  return "the objects are " + enumeration(words, "and");
 }
 
 }  // namespace trace::parser

@@ -30,5 +30,7 @@ std::string expected_text(const std::vector<Kind>& kinds);
 
 // "a sphere takes material and name"
 std::string takes_text(const Source& source, const Frame& frame);
+// "the objects are sphere, box, ... and height_field"
+std::string objects_text();
 
 }  // namespace trace::parser

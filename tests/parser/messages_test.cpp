@@ -5,6 +5,23 @@
 
 using namespace trace::parser::test;
 
+namespace {
+
+// What may stand in a scene, as the first error about an unknown word there tells.
+const std::string scene_words =
+    "note: the scene takes sphere, box, square, cylinder, cone, trimesh, translate, rotate, scale, "
+    "transform, "
+    "material, camera, point_light, directional_light, ambient_light, plane, torus, quadric, paraboloid, "
+    "hyperboloid, hyperbolic_paraboloid, torus_knot, height_field, spot_light, area_light, area_light_rect, "
+    "area_light_circ, shape_light, warn_light, warn_model_light, fog, cubemap and skybox\n";
+
+const std::string object_words =
+    "note: the objects are sphere, box, square, cylinder, cone, trimesh, translate, rotate, scale, "
+    "transform, "
+    "plane, torus, quadric, paraboloid, hyperboloid, hyperbolic_paraboloid, torus_knot and height_field\n";
+
+}  // namespace
+
 TEST_CASE("the header must stand first, with a version that can be read") {
   CHECK(messages_of_file("") == "1:1: error: the file does not begin with 'SBT-raytracer'\n");
   CHECK(messages_of_file("sbt-raytracer 1.0") ==
@@ -64,15 +81,21 @@ TEST_CASE("what the scanner cannot read is an error at its own place") {
 TEST_CASE("an unknown word at the top level is told what may stand there") {
   CHECK(messages("Sphere {}") ==
         "2:1: error: unknown word 'Sphere': expected an object, a light, a camera or a material\n"
-        "2:1: note: did you mean 'sphere'?\n");
+        "2:1: note: did you mean 'sphere'?\n"
+        "2:1: " +
+            scene_words);
   CHECK(messages("spher {} spotlight {} mist { density=1; }") ==
         "2:1: error: unknown word 'spher': expected an object, a light, a camera or a material\n"
         "2:1: note: did you mean 'sphere'?\n"
-        "2:10: error: unknown word 'spotlight': expected an object, a light, a camera or a material\n"
-        "2:10: note: did you mean 'spot_light'?\n"
-        "2:23: error: unknown word 'mist': expected an object, a light, a camera or a material\n");
+        "2:1: " +
+            scene_words +
+            "2:10: error: unknown word 'spotlight': expected an object, a light, a camera or a material\n"
+            "2:10: note: did you mean 'spot_light'?\n"
+            "2:23: error: unknown word 'mist': expected an object, a light, a camera or a material\n");
   CHECK(messages("include \"x.ray\"") ==
-        "2:1: error: unknown word 'include': expected an object, a light, a camera or a material\n");
+        "2:1: error: unknown word 'include': expected an object, a light, a camera or a material\n"
+        "2:1: " +
+            scene_words);
   CHECK(messages("\"sphere\" {}") ==
         "2:1: error: expected an object, a light, a camera or a material, found the string \"sphere\"\n");
   CHECK(messages("diffuse=(1,1,1);") ==
@@ -287,8 +310,10 @@ TEST_CASE("a transform is told what it takes") {
         "2:36: note: 'translate' is opened here\n");
   CHECK(messages("translate(1,2,3,tube{}) translate(1,2,3,spher{})") ==
         "2:17: error: unknown object 'tube'\n"
-        "2:41: error: unknown object 'spher'\n"
-        "2:41: note: did you mean 'sphere'?\n");
+        "2:17: " +
+            object_words +
+            "2:41: error: unknown object 'spher'\n"
+            "2:41: note: did you mean 'sphere'?\n");
   CHECK(messages("translate(1,2,3,material={})") ==
         "2:17: error: translate takes three numbers and one object: expected the object, found 'material'\n");
   CHECK(messages("translate(1,2,3,sphere{} 5)") ==
@@ -309,7 +334,11 @@ TEST_CASE("lights and cameras stand at the top level only") {
         "2:37: error: 'skybox' cannot stand in a group: it stands at the top level of the scene\n");
   CHECK(messages("{ diffuse=(1,0,0); tube {} }") ==
         "2:3: error: 'diffuse' cannot stand in a group: expected an object or a material\n"
-        "2:20: error: unknown word 'tube': expected an object or a material\n");
+        "2:20: error: unknown word 'tube': expected an object or a material\n"
+        "2:20: note: a group takes sphere, box, square, cylinder, cone, trimesh, translate, rotate, scale, "
+        "transform, material, plane, torus, quadric, paraboloid, hyperboloid, hyperbolic_paraboloid, "
+        "torus_knot "
+        "and height_field\n");
   CHECK(messages("{ 5 }") == "2:3: error: expected an object or a material, found '5'\n");
 }
 
